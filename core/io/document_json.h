@@ -1,0 +1,19 @@
+// Document ↔ JSON text: {"format": "marrow", "version": 1, "parts": [{"id", "name",
+// "stroke": {"points": [[x, y], …]}, "thickness", "color", "refine": {"simplify"}}]}.
+#pragma once
+
+#include <string>
+
+#include "document/document.h"
+
+namespace marrow {
+
+/// Numbers are written so that reading them gives the same bits; fields this version does not know
+/// are kept. Same document, same text.
+std::string writeDocument(const Document& document);
+
+/// Every field but "format", "version" and the strokes' points may be missing.
+/// Errors, each with a sentence that says what and where: unreadable, newerVersion.
+Result<Document> readDocument(const std::string& text);
+
+}  // namespace marrow

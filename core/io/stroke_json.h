@@ -1,0 +1,20 @@
+// A single stroke's file: {"name", "closed", "points": [[x, y], …]}, y up.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "base/vec.h"
+
+namespace marrow {
+
+struct StrokeFile {
+  std::string name;
+  std::vector<Vec2> points;
+};
+
+/// Errors, each with a sentence that says what and where: unreadable.
+Result<StrokeFile> readStroke(const std::string& text);
+
+}  // namespace marrow

@@ -1,0 +1,47 @@
+// A stroke's whole way: outline, skeleton, mesh, proxy.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/result.h"
+#include "base/timing.h"
+#include "part/proxy.h"
+#include "sketch/outline.h"
+#include "skeleton/axis.h"
+#include "skeleton/joints.h"
+#include "skeleton/straight_skeleton.h"
+#include "surface/inflate.h"
+#include "surface/mesh.h"
+#include "surface/triangulation.h"
+
+namespace marrow {
+
+struct PartOptions {
+  OutlineOptions outline;
+  StraightSkeletonOptions straight_skeleton;
+  AxisOptions axis;
+  JointOptions joints;
+  TriangulationOptions triangulation;
+  InflateOptions inflate;
+};
+
+/// Everything derived from one stroke, in the plane z = 0 of the front view.
+struct Part {
+  Outline outline;
+  StraightSkeleton straight_skeleton;
+  Axis axis;
+  PartSkeleton skeleton;   // joint radii are the proxy's
+  Mesh mesh;
+  std::vector<Vec3> normals;  // one per mesh vertex
+  Timings timings;         // stages: outline, straightSkeleton, axis, joints, triangulation,
+                           // inflation, normals, proxy
+
+  double inscribedRadius() const;  // largest time of the straight skeleton
+};
+
+/// Errors: those of the stages.
+Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& options = {},
+                       Clock clock = nullptr);
+
+}  // namespace marrow

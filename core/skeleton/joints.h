@@ -1,0 +1,43 @@
+// Axis → joints and bones by BoundedDP  [RS §3.1, Fig. 2e–g, Fig. 7, Algorithms 1 and 2]
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/result.h"
+#include "base/vec.h"
+#include "skeleton/axis.h"
+
+namespace marrow {
+
+enum class JointKind : uint8_t {
+  terminal,  // one bone
+  sleeve,    // two
+  junction,  // three or more
+};
+const char* toString(JointKind kind);
+
+struct JointOptions {
+  double epsilon_s = 5.0;     // BoundedDP threshold, units at the reference perimeter
+  double shape_weight = 1.0;  // α_s of Equation 1
+  double shrink = 0.8;        // the threshold's factor while a bone leaves the shape
+};
+
+/// A part's own skeleton in the part's plane: a tree.
+struct PartSkeleton {
+  struct Joint {
+    JointKind kind;
+    Vec2 position;
+    double radius;  // of the ball there, model units; the inscribed radius until the proxy sets it
+  };
+  std::vector<Joint> joints;
+  std::vector<std::array<uint32_t, 2>> bones;  // pairs of joint indices
+};
+
+/// scale: what epsilon_s is multiplied by, Outline::scale().
+/// Every bone lies inside the polygon. Errors: skeletonFailed.
+Result<PartSkeleton> placeJoints(const std::vector<Vec2>& polygon, const Axis& axis, double scale,
+                                 const JointOptions& options = {});
+
+}  // namespace marrow

@@ -1,0 +1,40 @@
+// Stroke → outline  [RS §3.1 "Simple polygon acquisition"]
+#pragma once
+
+#include <vector>
+
+#include "base/result.h"
+#include "base/vec.h"
+
+namespace marrow {
+
+/// The perimeter for which the paper's absolute thresholds hold. Every length threshold of the
+/// pipeline is multiplied by perimeter / kReferencePerimeter, so that scale changes nothing else.
+constexpr double kReferencePerimeter = 2000;
+
+struct OutlineOptions {
+  int samples = 200;       // resampling step = perimeter ÷ samples [RS Fig. 19]
+  double tolerance = 2.5;  // Douglas–Peucker for `polygon`, units at the reference perimeter
+};
+
+struct Outline {
+  std::vector<Vec2> dense;    // what the hand drew, evenly sampled, corners kept; for the mesh
+  std::vector<Vec2> polygon;  // simplified; input of the skeleton
+  double perimeter = 0;       // of `dense`, model units
+  bool crossed_itself = false;  // the stroke did; `dense` is the outer boundary of its largest piece
+
+  /// What a threshold given at the reference perimeter is multiplied by.
+  double scale() const { return perimeter / kReferencePerimeter; }
+};
+
+/// Closes a pointer stroke into a simple polygon.
+///
+/// stroke: any number of samples, model units, y up, open or closed, either direction, any noise;
+///         non-finite samples and repeats are dropped.
+/// Both polygons of the result are simple, counter-clockwise, without repeated or collinear
+/// vertices, with at least three vertices. A stroke that crosses itself becomes the outer boundary
+/// of its non-zero-winding area, largest piece.
+/// Errors: tooFewPoints, noArea.
+Result<Outline> makeOutline(const std::vector<Vec2>& stroke, const OutlineOptions& options = {});
+
+}  // namespace marrow

@@ -1,0 +1,20 @@
+// Predicates and measures of closed polygons (last vertex joins the first, not repeated).
+#pragma once
+
+#include <vector>
+
+#include "base/vec.h"
+
+namespace marrow {
+
+/// Positive for counter-clockwise, square model units.
+double signedArea(const std::vector<Vec2>& polygon);
+double perimeter(const std::vector<Vec2>& polygon);
+/// No two edges touch, but for neighbours at their common vertex. O(n log n) in practice.
+bool isSimple(const std::vector<Vec2>& polygon);
+/// Strictly inside by the even-odd rule; points on the border may go either way. O(n).
+bool contains(const std::vector<Vec2>& polygon, Vec2 point);
+/// The smallest distance from `point` to the polygon's border. O(n).
+double distanceToBorder(const std::vector<Vec2>& polygon, Vec2 point);
+
+}  // namespace marrow

@@ -1,0 +1,33 @@
+// Triangle meshes as plain arrays; adjacency is derived, never stored.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace marrow {
+
+struct Mesh {
+  std::vector<Vec3> positions;                     // model units
+  std::vector<std::array<uint32_t, 3>> triangles;  // counter-clockwise seen from outside
+};
+
+struct MeshReport {
+  bool closed = false;     // every edge has two triangles
+  bool manifold = false;   // every edge at most two, every vertex one fan, orientation consistent
+  double volume = 0;       // signed, cubic model units; positive when triangles face outward
+  double area = 0;         // square model units
+  int degenerate = 0;      // triangles with a repeated corner or no area
+};
+MeshReport inspect(const Mesh& mesh);
+
+/// Everything wrong with a mesh that should be a closed, outward solid; empty when nothing is.
+std::vector<std::string> validate(const Mesh& mesh);
+
+/// Unit normals, one per vertex, weighted by the angle of each triangle there.
+std::vector<Vec3> vertexNormals(const Mesh& mesh);
+
+}  // namespace marrow
