@@ -1,0 +1,146 @@
+// The oracle and the fallback: CGAL's straight skeleton in our conventions. The only file of this
+// room that includes CGAL.
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/create_straight_skeleton_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "skeleton/straight_skeleton.h"
+#include "sketch/polygon.h"
+
+namespace marrow {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using CgalSkeleton = CGAL::Straight_skeleton_2<Kernel>;
+
+constexpr double kMergeRatio = 1e-9;  // × the polygon's size: nodes this close are one event
+
+double sizeOf(const std::vector<Vec2>& polygon) {
+  Vec2 low = polygon.front(), high = polygon.front();
+  for (const Vec2 p : polygon) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return std::max(high.x - low.x, high.y - low.y);
+}
+
+Result<StraightSkeleton> convert(const std::vector<Vec2>& polygon, const CgalSkeleton& cgal) {
+  const uint32_t n = static_cast<uint32_t>(polygon.size());
+  StraightSkeleton result;
+  result.method = StraightSkeleton::Method::cgal;
+  result.nodes = polygon;
+  result.times.assign(n, 0);
+
+  // CGAL numbers the contour's vertices first, in its order; removed ones leave gaps later on.
+  std::map<int, uint32_t> node_of_vertex;
+  for (auto v = cgal.vertices_begin(); v != cgal.vertices_end(); ++v) {
+    const Vec2 at{v->point().x(), v->point().y()};
+    if (v->is_contour()) {
+      const uint32_t i = static_cast<uint32_t>(v->id());
+      if (i >= n || polygon[i] != at) return Status::skeletonFailed;
+      node_of_vertex[v->id()] = i;
+    } else {
+      const double time = v->time();
+      if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(time)) {
+        return Status::skeletonFailed;
+      }
+      node_of_vertex[v->id()] = static_cast<uint32_t>(result.nodes.size());
+      result.nodes.push_back(at);
+      result.times.push_back(time);
+    }
+  }
+
+  std::map<int, uint32_t> border_of_face;
+  for (auto f = cgal.faces_begin(); f != cgal.faces_end(); ++f) {
+    const auto border = f->halfedge()->defining_contour_edge();
+    border_of_face[f->id()] = node_of_vertex.at(border->opposite()->vertex()->id());
+  }
+  if (border_of_face.size() != n) return Status::skeletonFailed;
+
+  for (uint32_t i = 0; i < n; ++i) {
+    result.edges.push_back({i, (i + 1) % n, StraightSkeleton::Kind::border, i, i});
+  }
+  for (auto h = cgal.halfedges_begin(); h != cgal.halfedges_end(); ++h) {
+    const auto twin = h->opposite();
+    if (!h->is_bisector() || h->id() > twin->id()) continue;
+    result.edges.push_back({node_of_vertex.at(twin->vertex()->id()),
+                            node_of_vertex.at(h->vertex()->id()), StraightSkeleton::Kind::skeleton,
+                            border_of_face.at(h->face()->id()),
+                            border_of_face.at(twin->face()->id())});
+  }
+  return result;
+}
+
+/// Nodes of one event, which CGAL joins by arcs of no length, become one; names the arcs' kinds.
+void mergeCoincidentNodes(StraightSkeleton& skeleton, uint32_t n, double tolerance) {
+  std::vector<uint32_t> root(skeleton.nodes.size());
+  std::iota(root.begin(), root.end(), 0u);
+  const auto find = [&](uint32_t i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  for (const auto& e : skeleton.edges) {
+    if (e.a < n || e.b < n) continue;
+    if (distance(skeleton.nodes[e.a], skeleton.nodes[e.b]) > tolerance) continue;
+    if (std::abs(skeleton.times[e.a] - skeleton.times[e.b]) > tolerance) continue;
+    const uint32_t a = find(e.a), b = find(e.b);
+    root[std::max(a, b)] = std::min(a, b);
+  }
+
+  std::vector<uint32_t> renamed(skeleton.nodes.size());
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < skeleton.nodes.size(); ++i) {
+    if (find(i) != i) continue;
+    renamed[i] = count;
+    skeleton.nodes[count] = skeleton.nodes[i];
+    skeleton.times[count] = skeleton.times[i];
+    ++count;
+  }
+  std::vector<StraightSkeleton::Edge> edges;
+  for (auto e : skeleton.edges) {
+    e.a = renamed[find(e.a)];
+    e.b = renamed[find(e.b)];
+    if (e.a == e.b) continue;
+    if (e.kind != StraightSkeleton::Kind::border && (e.a < n || e.b < n)) {
+      e.kind = StraightSkeleton::Kind::peripheral;
+    }
+    edges.push_back(e);
+  }
+  skeleton.nodes.resize(count);
+  skeleton.times.resize(count);
+  skeleton.edges = std::move(edges);
+}
+
+}  // namespace
+
+Result<StraightSkeleton> straightSkeletonByCgal(const std::vector<Vec2>& polygon) {
+  if (polygon.size() < 3) return Status::tooFewPoints;
+  for (const Vec2 p : polygon) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return Status::notAPolygon;
+  }
+  if (!(signedArea(polygon) > 0) || !isSimple(polygon)) return Status::notAPolygon;
+
+  try {
+    std::vector<Kernel::Point_2> contour;
+    contour.reserve(polygon.size());
+    for (const Vec2 p : polygon) contour.emplace_back(p.x, p.y);
+    const auto cgal =
+        CGAL::create_interior_straight_skeleton_2(contour.begin(), contour.end(), Kernel());
+    if (!cgal) return Status::skeletonFailed;
+
+    auto result = convert(polygon, *cgal);
+    if (!result) return result;
+    const uint32_t n = static_cast<uint32_t>(polygon.size());
+    mergeCoincidentNodes(*result, n, kMergeRatio * sizeOf(polygon));
+    if (result->edges.size() != n + result->nodes.size() - 1) return Status::skeletonFailed;
+    return result;
+  } catch (...) {
+    return Status::skeletonFailed;
+  }
+}
+
+}  // namespace marrow
