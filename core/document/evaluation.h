@@ -4,7 +4,6 @@
 
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "document/document.h"
@@ -34,6 +33,8 @@ class Evaluation {
  private:
   EvaluatedPart evaluate(const std::shared_ptr<const PartSource>& source,
                          const EvaluatedPart* before);
+  EvaluatedPart rebuild(const std::shared_ptr<const PartSource>& source);
+  double epsilonS(const PartSource& source) const;
 
   PartOptions options_;
   Clock clock_;

@@ -14,6 +14,7 @@ struct StrokeFile {
   std::vector<Vec2> points;
 };
 
+/// "points" is needed; whether "closed" or not, a stroke is closed. Other fields are not looked at.
 /// Errors, each with a sentence that says what and where: unreadable.
 Result<StrokeFile> readStroke(const std::string& text);
 

@@ -1,8 +1,43 @@
 #include "part/part.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace marrow {
+namespace {
+
+Result<PartSkeleton> jointsOf(const Part& part, const JointOptions& options) {
+  return placeJoints(part.outline.polygon, part.axis, part.outline.scale(), options);
+}
+
+void setSkeleton(Part& part, PartSkeleton skeleton) {
+  part.skeleton = std::move(skeleton);
+  part.inscribed_radii.clear();
+  for (const auto& joint : part.skeleton.joints) part.inscribed_radii.push_back(joint.radius);
+}
+
+/// Scales the mesh's depth. Normals and proxy have to be redone then.
+void setThickness(Part& part, double thickness) {
+  for (size_t i = 0; i < part.depths.size(); ++i) {
+    part.mesh.positions[i].z = part.depths[i] * thickness;
+  }
+}
+
+void setProxy(Part& part) {
+  for (size_t i = 0; i < part.inscribed_radii.size(); ++i) {
+    part.skeleton.joints[i].radius = part.inscribed_radii[i];
+  }
+  const std::vector<double> radii = proxyRadii(part.skeleton, part.mesh);
+  for (size_t i = 0; i < radii.size(); ++i) part.skeleton.joints[i].radius = radii[i];
+}
+
+}  // namespace
+
+PartOptions previewOptions() {
+  PartOptions options;
+  options.triangulation.target_points = 300;
+  return options;
+}
 
 double Part::inscribedRadius() const {
   const auto& times = straight_skeleton.times;
@@ -28,28 +63,58 @@ Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& optio
   part.axis = std::move(*axis);
   watch.lap("axis");
 
-  auto skeleton =
-      placeJoints(part.outline.polygon, part.axis, part.outline.scale(), options.joints);
+  auto skeleton = jointsOf(part, options.joints);
   if (!skeleton) return skeleton.error();
-  part.skeleton = std::move(*skeleton);
+  setSkeleton(part, std::move(*skeleton));
   watch.lap("joints");
 
   auto flat = triangulate(part.outline.dense, options.triangulation);
   if (!flat) return flat.error();
   watch.lap("triangulation");
 
-  auto mesh = inflate(*flat, part.inscribedRadius(), options.inflate);
+  InflateOptions unscaled = options.inflate;
+  unscaled.thickness = 1;
+  auto mesh = inflate(*flat, part.inscribedRadius(), unscaled);
   if (!mesh) return mesh.error();
   part.mesh = std::move(*mesh);
+  for (Vec3 position : part.mesh.positions) part.depths.push_back(position.z);
+  setThickness(part, options.inflate.thickness);
   watch.lap("inflation");
 
   part.normals = vertexNormals(part.mesh);
   watch.lap("normals");
 
-  const std::vector<double> radii = proxyRadii(part.skeleton, part.mesh);
-  for (size_t i = 0; i < radii.size(); ++i) part.skeleton.joints[i].radius = radii[i];
+  setProxy(part);
   watch.lap("proxy");
   return part;
+}
+
+Result<Part> withJoints(const Part& part, const JointOptions& options, Clock clock) {
+  Timings timings;
+  Stopwatch watch(clock, timings);
+  auto skeleton = jointsOf(part, options);
+  if (!skeleton) return skeleton.error();
+  Part next = part;
+  setSkeleton(next, std::move(*skeleton));
+  watch.lap("joints");
+  setProxy(next);
+  watch.lap("proxy");
+  next.timings = std::move(timings);
+  return next;
+}
+
+Part withThickness(const Part& part, double thickness, Clock clock) {
+  Timings timings;
+  Stopwatch watch(clock, timings);
+  Part next = part;
+  setThickness(next, thickness);
+  watch.lap("inflation");
+  next.normals = vertexNormals(next.mesh);
+  watch.lap("normals");
+  setProxy(next);
+  watch.lap("proxy");
+  next.timings = std::move(timings);
+  return next;
 }
 
 }  // namespace marrow

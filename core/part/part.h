@@ -7,10 +7,10 @@
 #include "base/result.h"
 #include "base/timing.h"
 #include "part/proxy.h"
-#include "sketch/outline.h"
 #include "skeleton/axis.h"
 #include "skeleton/joints.h"
 #include "skeleton/straight_skeleton.h"
+#include "sketch/outline.h"
 #include "surface/inflate.h"
 #include "surface/mesh.h"
 #include "surface/triangulation.h"
@@ -31,17 +31,27 @@ struct Part {
   Outline outline;
   StraightSkeleton straight_skeleton;
   Axis axis;
-  PartSkeleton skeleton;   // joint radii are the proxy's
+  PartSkeleton skeleton;  // joint radii are the proxy's
   Mesh mesh;
-  std::vector<Vec3> normals;  // one per mesh vertex
-  Timings timings;         // stages: outline, straightSkeleton, axis, joints, triangulation,
-                           // inflation, normals, proxy
+  std::vector<Vec3> normals;            // one per mesh vertex
+  std::vector<double> depths;           // z of each mesh vertex at thickness 1
+  std::vector<double> inscribed_radii;  // one per joint
+  Timings timings;  // stages: outline, straightSkeleton, axis, joints, triangulation,
+                    // inflation, normals, proxy
 
   double inscribedRadius() const;  // largest time of the straight skeleton
 };
 
+/// For a stroke that is still being drawn, every frame: the same skeleton, a coarser mesh.
+PartOptions previewOptions();
+
 /// Errors: those of the stages.
 Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& options = {},
                        Clock clock = nullptr);
+
+/// What buildPart gives with other joint options or another thickness, bit for bit, by redoing only
+/// what hangs on them; `timings` has the stages that ran. Errors: those of placeJoints.
+Result<Part> withJoints(const Part& part, const JointOptions& options, Clock clock = nullptr);
+Part withThickness(const Part& part, double thickness, Clock clock = nullptr);
 
 }  // namespace marrow

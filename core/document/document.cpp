@@ -1,0 +1,90 @@
+#include "document/document.h"
+
+#include <array>
+#include <cmath>
+
+namespace marrow {
+namespace {
+
+constexpr char kIdPrefix[] = "part-";
+constexpr size_t kPrefixLength = sizeof kIdPrefix - 1;
+constexpr size_t kMostDigits = 15;
+
+int hexDigit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+}  // namespace
+
+std::optional<Color> parseColor(const std::string& text) {
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  std::array<uint8_t, 3> channels;
+  for (size_t i = 0; i < 3; ++i) {
+    const int high = hexDigit(text[1 + 2 * i]), low = hexDigit(text[2 + 2 * i]);
+    if (high < 0 || low < 0) return std::nullopt;
+    channels[i] = static_cast<uint8_t>(16 * high + low);
+  }
+  return Color{channels[0], channels[1], channels[2]};
+}
+
+std::string toString(Color color) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string text = "#";
+  for (uint8_t channel : {color.r, color.g, color.b}) {
+    text += kDigits[channel / 16];
+    text += kDigits[channel % 16];
+  }
+  return text;
+}
+
+Color partColor(size_t index) {
+  static constexpr Color kColors[] = {
+      {0x8c, 0xcb, 0xf0},  // sky blue
+      {0xef, 0xbe, 0x5a},  // orange
+      {0x5f, 0xc3, 0xa6},  // bluish green
+      {0xdf, 0xa6, 0xc6},  // reddish purple
+      {0xf4, 0xeb, 0x85},  // yellow
+      {0xe3, 0x92, 0x5c},  // vermilion
+      {0x6a, 0xa6, 0xd6},  // blue
+  };
+  return kColors[index % (sizeof kColors / sizeof kColors[0])];
+}
+
+bool isDrawable(Vec2 point) {
+  return std::fabs(point.x) <= kLargestCoordinate && std::fabs(point.y) <= kLargestCoordinate;
+}
+
+std::optional<size_t> Document::find(const std::string& id) const {
+  for (size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i]->id == id) return i;
+  }
+  return std::nullopt;
+}
+
+uint64_t partNumber(const std::string& id) {
+  if (id.compare(0, kPrefixLength, kIdPrefix) != 0) return 0;
+  if (id.size() == kPrefixLength || id.size() > kPrefixLength + kMostDigits) return 0;
+  if (id[kPrefixLength] == '0') return 0;
+  uint64_t number = 0;
+  for (size_t i = kPrefixLength; i < id.size(); ++i) {
+    if (id[i] < '0' || id[i] > '9') return 0;
+    number = 10 * number + static_cast<uint64_t>(id[i] - '0');
+  }
+  return number;
+}
+
+uint64_t takePartNumber(Document& document) {
+  do {
+    ++document.last_part;
+  } while (document.find(partId(document.last_part)));
+  return document.last_part;
+}
+
+std::string partId(uint64_t number) { return kIdPrefix + std::to_string(number); }
+
+std::string defaultPartName(uint64_t number) { return "Part " + std::to_string(number); }
+
+}  // namespace marrow
