@@ -1,0 +1,64 @@
+# cmake -DKIND=shaders|fonts -DOUT=FOLDER -DFILES=A;B -P embed.cmake: writes files as C++ sources.
+
+# write(NAME TEXT)
+function(write name text)
+  file(WRITE "${OUT}/${name}" "// Written by scripts/cmake/embed.cmake.\n${text}")
+endfunction()
+
+if(KIND STREQUAL "shaders")
+  write(shaders.h "#pragma once
+
+#include <string_view>
+
+namespace marrow {
+
+/// The text of shaders/<file>; empty where there is no such file.
+std::string_view shaderSource(std::string_view file);
+
+}  // namespace marrow
+")
+  set(text "#include \"shaders.h\"
+
+namespace marrow {
+
+std::string_view shaderSource(std::string_view file) {
+")
+  foreach(file IN LISTS FILES)
+    get_filename_component(name "${file}" NAME)
+    # Brackets and semicolons mean something to CMake's lists, but this is one string throughout.
+    file(READ "${file}" source)
+    string(APPEND text "  if (file == \"${name}\") return R\"glsl(${source})glsl\";\n")
+  endforeach()
+  string(APPEND text "  return {};\n}\n\n}  // namespace marrow\n")
+  write(shaders.cpp "${text}")
+elseif(KIND STREQUAL "fonts")
+  set(header "#pragma once
+
+#include <cstddef>
+
+namespace marrow {
+
+// OpenType files.
+")
+  set(text "#include \"fonts.h\"\n\nnamespace marrow {\n\n")
+  foreach(file IN LISTS FILES)
+    get_filename_component(name "${file}" NAME_WE)
+    string(REPLACE "_" ";" words "${name}")
+    set(constant "k")
+    foreach(word IN LISTS words)
+      string(SUBSTRING "${word}" 0 1 first)
+      string(SUBSTRING "${word}" 1 -1 rest)
+      string(TOUPPER "${first}" first)
+      string(APPEND constant "${first}${rest}")
+    endforeach()
+    file(READ "${file}" hex HEX)
+    string(LENGTH "${hex}" digits)
+    math(EXPR size "${digits} / 2")
+    string(REGEX REPLACE "(..)" "0x\\1," bytes "${hex}")
+    string(REGEX REPLACE "(0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,)" "\\1\n" bytes "${bytes}")
+    string(APPEND header "extern const unsigned char ${constant}[${size}];\n")
+    string(APPEND text "const unsigned char ${constant}[${size}] = {\n${bytes}};\n")
+  endforeach()
+  write(fonts.h "${header}\n}  // namespace marrow\n")
+  write(fonts.cpp "${text}\n}  // namespace marrow\n")
+endif()
