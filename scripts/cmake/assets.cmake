@@ -112,3 +112,18 @@ function(marrow_add_assets)
               "${out}/fonts.h")
   target_include_directories(marrow_assets PUBLIC "${out}")
 endfunction()
+
+# marrow_add_site(FOLDER): copies public/ there; the app puts its own files beside it.
+function(marrow_add_site folder)
+  file(GLOB_RECURSE pages RELATIVE "${CMAKE_SOURCE_DIR}/public" CONFIGURE_DEPENDS
+       "${CMAKE_SOURCE_DIR}/public/*")
+  set(copies)
+  foreach(page IN LISTS pages)
+    add_custom_command(
+      OUTPUT "${folder}/${page}"
+      COMMAND "${CMAKE_COMMAND}" -E copy "${CMAKE_SOURCE_DIR}/public/${page}" "${folder}/${page}"
+      DEPENDS "${CMAKE_SOURCE_DIR}/public/${page}" VERBATIM)
+    list(APPEND copies "${folder}/${page}")
+  endforeach()
+  add_custom_target(marrow_site ALL DEPENDS ${copies})
+endfunction()
