@@ -1,0 +1,129 @@
+// The self-check of a straight skeleton, declared in straight_skeleton.h.
+
+#include <algorithm>
+#include <cmath>
+
+#include "skeleton/straight_skeleton.h"
+
+namespace marrow {
+namespace {
+
+constexpr double kTolerance = 1e-7;  // × the polygon's size
+
+using Kind = StraightSkeleton::Kind;
+
+double sizeOf(const std::vector<Vec2>& polygon) {
+  Vec2 low = polygon[0], high = polygon[0];
+  for (const Vec2 p : polygon) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return std::max(high.x - low.x, high.y - low.y);
+}
+
+bool isTree(size_t nodes, const StraightSkeleton::Edge* arcs, size_t count) {
+  if (count + 1 != nodes) return false;
+  std::vector<uint32_t> parent(nodes);
+  for (size_t i = 0; i < nodes; ++i) parent[i] = static_cast<uint32_t>(i);
+  const auto root = [&](uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (size_t i = 0; i < count; ++i) {
+    const uint32_t a = root(arcs[i].a), b = root(arcs[i].b);
+    if (a == b) return false;
+    parent[a] = b;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string inconsistency(const std::vector<Vec2>& polygon, const StraightSkeleton& skeleton) {
+  const size_t n = polygon.size(), nodes = skeleton.nodes.size();
+  if (n < 3 || nodes <= n || skeleton.times.size() != nodes || skeleton.edges.size() < n) {
+    return "sizes do not fit";
+  }
+  const double tolerance = kTolerance * sizeOf(polygon);
+  const auto* arcs = skeleton.edges.data() + n;
+  const size_t arc_count = skeleton.edges.size() - n;
+  if (arc_count > 2 * n - 3) return "more arcs than a polygon can have";
+
+  std::vector<Vec2> directions(n);
+  for (size_t i = 0; i < n; ++i) {
+    const Vec2 d = polygon[i + 1 == n ? 0 : i + 1] - polygon[i];
+    directions[i] = d / length(d);
+  }
+
+  std::vector<uint32_t> degree(nodes, 0), on_face(n + 1, 0);
+  for (size_t i = 0; i < arc_count; ++i) {
+    const auto& arc = arcs[i];
+    if (arc.a >= nodes || arc.b >= nodes || arc.left >= n || arc.right >= n) {
+      return "an arc points nowhere";
+    }
+    if (arc.kind == Kind::border || (arc.kind == Kind::peripheral) != (arc.a < n || arc.b < n)) {
+      return "an arc is of the wrong kind";
+    }
+    ++degree[arc.a];
+    ++degree[arc.b];
+    ++on_face[arc.left];
+    ++on_face[arc.right];
+    for (const uint32_t face : {arc.left, arc.right}) {
+      for (const uint32_t node : {arc.a, arc.b}) {
+        const double height = cross(directions[face], skeleton.nodes[node] - polygon[face]);
+        if (!(std::fabs(height - skeleton.times[node]) <= tolerance)) {
+          return "a node's time is not its distance";
+        }
+      }
+    }
+  }
+  if (!isTree(nodes, arcs, arc_count)) return "the arcs are no tree";
+  for (size_t i = 0; i < nodes; ++i) {
+    if (i < n ? degree[i] != 1 : degree[i] < 3) return "a node has the wrong degree";
+  }
+
+  // The half-edges around each face, sorted by face, then walked from the border edge's end to its
+  // start: along the edge's direction out, back and out again at most, never below it.
+  struct HalfEdge {
+    uint32_t from, to;
+  };
+  uint32_t begin = 0;
+  for (uint32_t& count : on_face) {
+    const uint32_t here = begin;
+    begin += count;
+    count = here;
+  }
+  std::vector<HalfEdge> around(2 * arc_count);
+  std::vector<uint32_t> end(on_face.begin(), on_face.end() - 1);
+  for (size_t i = 0; i < arc_count; ++i) {
+    around[end[arcs[i].left]++] = {arcs[i].a, arcs[i].b};
+    around[end[arcs[i].right]++] = {arcs[i].b, arcs[i].a};
+  }
+  constexpr uint32_t kNone = 0xffffffff;
+  std::vector<uint32_t> next(nodes, kNone);
+  for (uint32_t face = 0; face < n; ++face) {
+    for (uint32_t i = on_face[face]; i < end[face]; ++i) {
+      if (next[around[i].from] != kNone) return "a face touches itself";
+      next[around[i].from] = around[i].to;
+    }
+    const Vec2 direction = directions[face];
+    uint32_t node = face + 1 == n ? 0 : face + 1;
+    double along = dot(direction, skeleton.nodes[node]);
+    int turns = 0;  // even: going out, odd: going back
+    for (uint32_t i = on_face[face]; i < end[face]; ++i) {
+      node = next[node];
+      if (node == kNone) return "a face is not closed";
+      if (!(skeleton.times[node] >= 0)) return "a node lies outside";
+      const double there = dot(direction, skeleton.nodes[node]);
+      const double step = turns % 2 == 0 ? there - along : along - there;
+      if (step < -tolerance) ++turns;
+      along = there;
+    }
+    if (node != face) return "a face is not closed";
+    if (turns > 2) return "a face is not monotone";
+    for (uint32_t i = on_face[face]; i < end[face]; ++i) next[around[i].from] = kNone;
+  }
+  return {};
+}
+
+}  // namespace marrow
