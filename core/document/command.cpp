@@ -121,11 +121,11 @@ std::string describeIn(const Document&, const ReplaceDocument& command) { return
 }  // namespace
 
 Result<Document> apply(const Document& document, const Command& command) {
-  return std::visit([&](const auto& one) { return applyTo(document, one); }, command);
+  return std::visit([&](const auto& one) { return applyTo(document, one); }, command.step);
 }
 
 std::string describe(const Document& before, const Command& command) {
-  return std::visit([&](const auto& one) { return describeIn(before, one); }, command);
+  return std::visit([&](const auto& one) { return describeIn(before, one); }, command.step);
 }
 
 }  // namespace marrow

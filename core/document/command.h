@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -35,8 +37,16 @@ struct ReplaceDocument {  // open, new
   std::string name;  // of the step: "Open", "New drawing"
 };
 
-using Command = std::variant<AddPart, DeletePart, SetThickness, SetSimplify, SetColor, RenamePart,
-                             ReplaceDocument>;
+/// Any one of the above. A type of its own rather than a variant, so that `apply` never means
+/// std::apply.
+struct Command {
+  using Step = std::variant<AddPart, DeletePart, SetThickness, SetSimplify, SetColor, RenamePart,
+                            ReplaceDocument>;
+  template <typename One, typename = std::enable_if_t<std::is_constructible_v<Step, One>>>
+  Command(One one) : step(std::move(one)) {}
+
+  Step step;
+};
 
 /// The document after the command; the given one is untouched. New parts get the next free id
 /// ("part-1", …), a name and a colour. Values out of range are clamped.

@@ -1,0 +1,242 @@
+#include "document/evaluation.h"
+
+#include <cstring>
+#include <set>
+
+#include "document/command.h"
+#include "document/history.h"
+#include "support/catch.h"
+#include "support/drawings.h"
+
+using namespace marrow;
+
+namespace {
+
+template <typename T>
+bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+bool sameSkeleton(const PartSkeleton& a, const PartSkeleton& b) {
+  if (a.joints.size() != b.joints.size() || !sameBits(a.bones, b.bones)) return false;
+  for (size_t i = 0; i < a.joints.size(); ++i) {
+    const auto &p = a.joints[i], &q = b.joints[i];
+    if (p.kind != q.kind || p.position != q.position || p.radius != q.radius) return false;
+  }
+  return true;
+}
+
+/// Everything but the timings.
+bool samePart(const Part& a, const Part& b) {
+  return sameBits(a.outline.dense, b.outline.dense) &&
+         sameBits(a.outline.polygon, b.outline.polygon) &&
+         sameBits(a.straight_skeleton.nodes, b.straight_skeleton.nodes) &&
+         sameBits(a.straight_skeleton.times, b.straight_skeleton.times) &&
+         sameBits(a.axis.points, b.axis.points) && sameBits(a.axis.edges, b.axis.edges) &&
+         sameSkeleton(a.skeleton, b.skeleton) && sameBits(a.mesh.positions, b.mesh.positions) &&
+         sameBits(a.mesh.triangles, b.mesh.triangles) && sameBits(a.normals, b.normals) &&
+         sameBits(a.depths, b.depths) && sameBits(a.inscribed_radii, b.inscribed_radii);
+}
+
+void requireFresh(const Evaluation& evaluation, const Document& document) {
+  Evaluation fresh;
+  fresh.update(document);
+  REQUIRE(evaluation.parts().size() == document.parts.size());
+  for (size_t i = 0; i < document.parts.size(); ++i) {
+    const EvaluatedPart &ours = evaluation.parts()[i], &theirs = fresh.parts()[i];
+    REQUIRE(ours.source == document.parts[i]);
+    REQUIRE((ours.part != nullptr) == (theirs.part != nullptr));
+    REQUIRE(ours.error.status == theirs.error.status);
+    if (ours.part) REQUIRE(samePart(*ours.part, *theirs.part));
+  }
+}
+
+std::set<std::string> stages(const Part& part) {
+  std::set<std::string> names;
+  for (const auto& stage : part.timings.stages_ms) names.insert(stage.first);
+  return names;
+}
+
+Document with(const Document& document, const Command& command) {
+  auto next = apply(document, command);
+  REQUIRE(next);
+  return *next;
+}
+
+}  // namespace
+
+TEST_CASE("evaluation: an unchanged document computes nothing", "[evaluation]") {
+  const Document document = drawnDocument(4);
+  Evaluation evaluation;
+  evaluation.update(document);
+  REQUIRE(evaluation.recomputed() == 4);
+  const auto before = evaluation.parts();
+  evaluation.update(document);
+  REQUIRE(evaluation.recomputed() == 0);
+  for (size_t i = 0; i < before.size(); ++i) {
+    REQUIRE(evaluation.parts()[i].part == before[i].part);
+    REQUIRE(evaluation.parts()[i].mesh_id == before[i].mesh_id);
+    REQUIRE(evaluation.parts()[i].skeleton_id == before[i].skeleton_id);
+  }
+}
+
+TEST_CASE("evaluation: an equal document read anew computes nothing", "[evaluation]") {
+  const Document document = drawnDocument(2);
+  Document copy;
+  for (const auto& part : document.parts) {
+    copy.parts.push_back(std::make_shared<const PartSource>(*part));
+  }
+  Evaluation evaluation;
+  evaluation.update(document);
+  evaluation.update(copy);
+  REQUIRE(evaluation.recomputed() == 0);
+  REQUIRE(evaluation.parts()[0].source == copy.parts[0]);
+}
+
+TEST_CASE("evaluation: a new part leaves the others alone", "[evaluation]") {
+  Document document = drawnDocument(2);
+  Evaluation evaluation;
+  evaluation.update(document);
+  const auto before = evaluation.parts();
+  document = with(document, AddPart{softStar(6, 90)});
+  evaluation.update(document);
+  REQUIRE(evaluation.recomputed() == 1);
+  REQUIRE(evaluation.parts()[1].part == before[1].part);
+  document = with(document, DeletePart{"part-1"});
+  evaluation.update(document);
+  REQUIRE(evaluation.recomputed() == 0);
+  REQUIRE(evaluation.parts()[0].part == before[1].part);
+}
+
+TEST_CASE("evaluation: colour and name compute nothing", "[evaluation]") {
+  Document document = drawnDocument(2);
+  Evaluation evaluation;
+  evaluation.update(document);
+  const auto before = evaluation.parts();
+  document = with(document, SetColor{"part-2", {1, 2, 3}});
+  document = with(document, RenamePart{"part-1", "Belly"});
+  evaluation.update(document);
+  REQUIRE(evaluation.recomputed() == 0);
+  for (size_t i = 0; i < 2; ++i) {
+    REQUIRE(evaluation.parts()[i].part == before[i].part);
+    REQUIRE(evaluation.parts()[i].source == document.parts[i]);
+  }
+}
+
+TEST_CASE("evaluation: thickness redoes neither skeleton nor triangulation", "[evaluation]") {
+  Document document = drawnDocument(2);
+  Evaluation evaluation;
+  evaluation.update(document);
+  const auto before = evaluation.parts();
+  document = with(document, SetThickness{"part-2", 2});
+  evaluation.update(document);
+  REQUIRE(evaluation.recomputed() == 1);
+  const EvaluatedPart& thick = evaluation.parts()[1];
+  REQUIRE(stages(*thick.part) == std::set<std::string>{"inflation", "normals", "proxy"});
+  REQUIRE(thick.mesh_id != before[1].mesh_id);
+  requireFresh(evaluation, document);
+}
+
+TEST_CASE("evaluation: simplifying redoes joints and proxy alone", "[evaluation]") {
+  Document document = drawnDocument(2);
+  Evaluation evaluation;
+  evaluation.update(document);
+  const auto before = evaluation.parts();
+  document = with(document, SetSimplify{"part-1", 40.0});
+  evaluation.update(document);
+  REQUIRE(evaluation.recomputed() == 1);
+  const EvaluatedPart& simple = evaluation.parts()[0];
+  REQUIRE(stages(*simple.part) == std::set<std::string>{"joints", "proxy"});
+  REQUIRE(simple.mesh_id == before[0].mesh_id);
+  REQUIRE(simple.skeleton_id != before[0].skeleton_id);
+  requireFresh(evaluation, document);
+}
+
+TEST_CASE("evaluation: an explicit default simplification computes nothing", "[evaluation]") {
+  Document document = drawnDocument(1);
+  Evaluation evaluation;
+  evaluation.update(document);
+  evaluation.update(with(document, SetSimplify{"part-1", PartOptions{}.joints.epsilon_s}));
+  REQUIRE(evaluation.recomputed() == 0);
+}
+
+TEST_CASE("evaluation: after any commands it equals an evaluation from nothing", "[evaluation]") {
+  Random random(7);
+  for (int run = 0; run < 6; ++run) {
+    History history(drawnDocument(2));
+    Evaluation evaluation;
+    std::set<uint64_t> mesh_ids;
+    for (int step = 0; step < 25; ++step) {
+      const Document& document = history.current();
+      const int count = static_cast<int>(document.parts.size());
+      const std::string id =
+          count > 0 ? document.parts[static_cast<size_t>(random.below(count))]->id : "";
+      Command command = AddPart{softStar(2 + random.below(5), random.between(20, 90))};
+      switch (random.below(8)) {
+        case 0:
+          command = DeletePart{id};
+          break;
+        case 1:
+        case 2:
+          command = SetThickness{id, random.between(0, 4.5)};
+          break;
+        case 3:
+        case 4:
+          command = SetSimplify{id, random.between(0, 50)};
+          break;
+        case 5:
+          command = SetSimplify{id, std::nullopt};
+          break;
+        case 6:
+          history.undo();
+          break;
+      }
+      auto next = apply(history.current(), command);
+      if (next) history.push(*next, describe(history.current(), command));
+      // Several changes may come between two updates.
+      if (random.below(3) == 0) continue;
+      evaluation.update(history.current());
+      requireFresh(evaluation, history.current());
+    }
+  }
+}
+
+TEST_CASE("evaluation: a part that cannot be made says why and harms no other", "[evaluation]") {
+  Document document = drawnDocument(2);
+  auto flat = std::make_shared<PartSource>(*document.parts[0]);
+  flat->id = "flat";
+  flat->stroke = {{0, 0}, {1, 1}, {2, 2}};
+  document.parts.insert(document.parts.begin() + 1, flat);
+  Evaluation evaluation;
+  evaluation.update(document);
+  REQUIRE(evaluation.parts()[0].part);
+  REQUIRE_FALSE(evaluation.parts()[1].part);
+  REQUIRE(evaluation.parts()[1].error.status == Status::noArea);
+  REQUIRE(evaluation.parts()[2].part);
+  evaluation.update(with(document, SetThickness{"flat", 3}));
+  REQUIRE_FALSE(evaluation.parts()[1].part);
+  REQUIRE(evaluation.parts()[1].error.status == Status::noArea);
+}
+
+TEST_CASE("evaluation: mesh and skeleton ids are never used twice", "[evaluation]") {
+  History history(drawnDocument(2));
+  Evaluation evaluation;
+  evaluation.update(history.current());
+  std::set<uint64_t> meshes, skeletons;
+  const auto note = [&](size_t index) {
+    meshes.insert(evaluation.parts()[index].mesh_id);
+    skeletons.insert(evaluation.parts()[index].skeleton_id);
+  };
+  note(0);
+  note(1);
+  history.push(with(history.current(), SetThickness{"part-1", 2}), "");
+  evaluation.update(history.current());
+  note(0);
+  history.undo();
+  evaluation.update(history.current());
+  note(0);
+  REQUIRE(meshes.size() == 4);
+  REQUIRE(skeletons.size() == 4);
+}

@@ -1,0 +1,269 @@
+#include "io/document_json.h"
+
+#include <cstring>
+#include <limits>
+
+#include "document/command.h"
+#include "support/catch.h"
+#include "support/drawings.h"
+
+using namespace marrow;
+
+namespace {
+
+Document must(const std::string& text) {
+  CAPTURE(text.substr(0, 500));
+  auto document = readDocument(text);
+  REQUIRE(document);
+  return *document;
+}
+
+/// Text of one part, in a document around it.
+std::string withPart(const std::string& part) {
+  return R"({"format": "marrow", "version": 1, "parts": [)" + part + "]}";
+}
+
+constexpr char kTriangle[] = R"("stroke": {"points": [[0, 0], [9, 0], [0, 9]]})";
+
+uint64_t bitsOf(double value) {
+  uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+}  // namespace
+
+TEST_CASE("document file: the text has the form that is documented", "[document_json]") {
+  Document document;
+  document.parts.push_back(std::make_shared<const PartSource>(PartSource{
+      "part-1", "Head \"A\"", {{0, 0.5}, {100, -2}, {1e-7, 1e21}}, 1.25, {255, 0, 16}, 7.5}));
+  REQUIRE(writeDocument(document) ==
+          R"({"format":"marrow","version":1,"parts":[{"id":"part-1","name":"Head \"A\"",)"
+          R"("stroke":{"points":[[0,0.5],[100,-2],[1e-07,1e+21]]},"thickness":1.25,)"
+          R"("color":"#ff0010","refine":{"simplify":7.5}}]})");
+  REQUIRE(writeDocument({}) == R"({"format":"marrow","version":1,"parts":[]})");
+}
+
+TEST_CASE("document file: what was written is read back to the bit", "[document_json]") {
+  Random random(3);
+  Document document = drawnDocument(5);
+  for (int i = 0; i < 200; ++i) {
+    PartSource part = *document.parts[static_cast<size_t>(i % 5)];
+    part.id = "x" + std::to_string(i);
+    part.name = i % 2 ? "Größe \t\n\"\\/ 猫 🐈" : "";
+    part.name += std::to_string(i);
+    part.stroke = randomPoints(random, 5);
+    // Any bits that are a drawable number.
+    for (Vec2& point : part.stroke) {
+      uint64_t bits = static_cast<uint64_t>(random.unit() * 0x1p53) * 2049 + 1;
+      double value;
+      std::memcpy(&value, &bits, sizeof value);
+      if (isDrawable({value, 0})) point.x = random.below(2) ? value : -value;
+    }
+    part.stroke.push_back({-0.0, std::numeric_limits<double>::denorm_min()});
+    part.stroke.push_back({kLargestCoordinate, 9007199254740993.0});
+    part.thickness = random.between(kMinThickness, kMaxThickness);
+    if (random.below(2)) part.epsilon_s = random.between(kMinEpsilonS, kMaxEpsilonS);
+    document.parts.push_back(std::make_shared<const PartSource>(part));
+  }
+  const std::string text = writeDocument(document);
+  const Document read = must(text);
+  REQUIRE(writeDocument(read) == text);
+  REQUIRE(read.last_part == document.last_part);
+  REQUIRE(read.parts.size() == document.parts.size());
+  for (size_t i = 0; i < read.parts.size(); ++i) {
+    const PartSource &a = *document.parts[i], &b = *read.parts[i];
+    REQUIRE(a.id == b.id);
+    REQUIRE(a.name == b.name);
+    REQUIRE(bitsOf(a.thickness) == bitsOf(b.thickness));
+    REQUIRE(a.epsilon_s == b.epsilon_s);
+    REQUIRE(a.color == b.color);
+    REQUIRE(a.stroke.size() == b.stroke.size());
+    for (size_t k = 0; k < a.stroke.size(); ++k) {
+      REQUIRE(bitsOf(a.stroke[k].x) == bitsOf(b.stroke[k].x));
+      REQUIRE(bitsOf(a.stroke[k].y) == bitsOf(b.stroke[k].y));
+    }
+  }
+}
+
+TEST_CASE("document file: fields of later versions are kept where they stand", "[document_json]") {
+  const std::string text =
+      R"({"format":"marrow","version":1,"parts":[{"id":"part-1","name":"A",)"
+      R"("stroke":{"points":[[0,0],[1.5,0],[0,1]],"pressure":[0.5,1,-0.0],"b":null,"a":1},)"
+      R"("thickness":1,"color":"#010203","refine":{"merge":30.25,"collapse":{"z":[],"y":{}}},)"
+      R"("zebra":true,"frame":{"x":1e+30,"a":18446744073709551615}}],)"
+      R"("lastPart":7,"view":{"yaw":0.1},"author":"ü"})";
+  REQUIRE(writeDocument(must(text)) == text);
+
+  SECTION("also when the part is changed") {
+    const auto next = apply(must(text), SetSimplify{"part-1", 8.0});
+    REQUIRE(next);
+    const std::string changed = writeDocument(*next);
+    REQUIRE(changed.find(R"("refine":{"simplify":8,"merge":30.25,)") != std::string::npos);
+    REQUIRE(changed.find(R"("zebra":true)") != std::string::npos);
+    REQUIRE(writeDocument(must(changed)) == changed);
+  }
+}
+
+TEST_CASE("document file: missing fields get their defaults", "[document_json]") {
+  const Document document =
+      must(withPart(std::string("{") + kTriangle + R"(}, {"id": "part-4", )" + kTriangle +
+                    R"(}, {"id": "tail", )" + kTriangle + R"(}, {)" + kTriangle + "}"));
+  REQUIRE(document.parts.size() == 4);
+  REQUIRE(document.parts[0]->id == "part-5");
+  REQUIRE(document.parts[0]->name == "Part 5");
+  REQUIRE(document.parts[0]->thickness == 1);
+  REQUIRE(document.parts[0]->color == partColor(4));
+  REQUIRE_FALSE(document.parts[0]->epsilon_s);
+  REQUIRE(document.parts[1]->name == "Part 4");
+  REQUIRE(document.parts[2]->name == "Part 3");
+  REQUIRE(document.parts[3]->id == "part-6");
+  REQUIRE(document.last_part == 6);
+  REQUIRE(must(R"({"format": "marrow", "version": 1})").parts.empty());
+}
+
+TEST_CASE("document file: settings out of range are brought into it", "[document_json]") {
+  const Document document = must(withPart(R"({"thickness": -5, "refine": {"simplify": 1e9}, )" +
+                                          std::string(kTriangle) + "}"));
+  REQUIRE(document.parts[0]->thickness == kMinThickness);
+  REQUIRE(document.parts[0]->epsilon_s == kMaxEpsilonS);
+}
+
+TEST_CASE("document file: a later version is told from an unreadable text", "[document_json]") {
+  const auto status = [](const std::string& version) {
+    return readDocument(R"({"format": "marrow", "version": )" + version + R"(, "parts": 5})")
+        .status();
+  };
+  REQUIRE(status("2") == Status::newerVersion);
+  REQUIRE(status("18446744073709551615") == Status::newerVersion);
+  REQUIRE(status("1e300") == Status::newerVersion);
+  for (const char* version : {"1", "0", "-1", "1.5", "\"2\"", "null", "[2]", "1e-300"}) {
+    CAPTURE(version);
+    REQUIRE(status(version) == Status::unreadable);
+  }
+  REQUIRE(readDocument(R"({"format": "marrow", "version": 2})").message() ==
+          toSentence(Status::newerVersion));
+}
+
+TEST_CASE("document file: a fault is said in one sentence that says where", "[document_json]") {
+  const std::string triangle = kTriangle;
+  const std::pair<std::string, std::string> faults[] = {
+      {"", "It is empty."},
+      {"[1, 2]", "It is not a Marrow drawing: not an object."},
+      {"{}", "It is not a Marrow drawing: format is not \"marrow\"."},
+      {R"({"format": "bone", "version": 1})",
+       "It is not a Marrow drawing: format is not \"marrow\"."},
+      {R"({"format": 1, "version": 1})", "It is not a Marrow drawing: format is not \"marrow\"."},
+      {R"({"format": "marrow"})", "version is missing."},
+      {R"({"format": "marrow", "version": 1, "parts": {}})", "parts is not a list."},
+      {R"({"format": "marrow", "version": 1, "lastPart": -1})",
+       "lastPart is not a whole number from 0."},
+      {withPart("7"), "parts[0] is not an object."},
+      {withPart("{" + triangle + "}, null"), "parts[1] is not an object."},
+      {withPart("{}"), "parts[0].stroke is missing."},
+      {withPart(R"({"stroke": []})"), "parts[0].stroke is not an object."},
+      {withPart(R"({"stroke": {}})"), "parts[0].stroke.points is missing."},
+      {withPart(R"({"stroke": {"points": 1}})"), "parts[0].stroke.points is not a list of points."},
+      {withPart(R"({"stroke": {"points": [[1, 2], [1, "2"]]}})"),
+       "parts[0].stroke.points[1] is not a pair of numbers."},
+      {withPart(R"({"stroke": {"points": [[1, -1e60]]}})"),
+       "parts[0].stroke.points[0] is too far away."},
+      {withPart(R"({"id": 4, )" + triangle + "}"), "parts[0].id is not a text."},
+      {withPart(R"({"id": "", )" + triangle + "}"), "parts[0].id is empty."},
+      {withPart(R"({"id": "a", )" + triangle + R"(}, {"id": "a", )" + triangle + "}"),
+       "parts[1].id is used twice."},
+      {withPart(R"({"name": [], )" + triangle + "}"), "parts[0].name is not a text."},
+      {withPart(R"({"thickness": "1", )" + triangle + "}"), "parts[0].thickness is not a number."},
+      {withPart(R"({"color": 5, )" + triangle + "}"), "parts[0].color is not a text."},
+      {withPart(R"({"color": "red", )" + triangle + "}"),
+       "parts[0].color is not of the form \"#rrggbb\"."},
+      {withPart(R"({"refine": 5, )" + triangle + "}"), "parts[0].refine is not an object."},
+      {withPart(R"({"refine": {"simplify": true}, )" + triangle + "}"),
+       "parts[0].refine.simplify is not a number."},
+  };
+  for (const auto& [text, sentence] : faults) {
+    CAPTURE(text);
+    const auto document = readDocument(text);
+    REQUIRE(document.status() == Status::unreadable);
+    REQUIRE(document.message() == sentence);
+  }
+}
+
+TEST_CASE("document file: a name that is not UTF-8 is written as text that can be read",
+          "[document_json]") {
+  const auto renamed = apply(drawnDocument(1), RenamePart{"part-1", "bad \xff\xc3 end"});
+  REQUIRE(renamed);
+  const std::string text = writeDocument(*renamed);
+  REQUIRE(writeDocument(must(text)) == text);
+}
+
+TEST_CASE("document file: any broken copy is an error or a sound document", "[document_json]") {
+  Document document = drawnDocument(3);
+  document = *apply(document, SetSimplify{"part-2", 12.5});
+  document = *apply(document, DeletePart{"part-3"});
+  auto short_part = std::make_shared<PartSource>(*document.parts[0]);
+  short_part->stroke.resize(12);
+  short_part->extra = R"({"x":[1,{"y":null}],"stroke":{"p":[0.5]},"refine":{"q":"r"}})";
+  document.parts[0] = short_part;
+  auto other = std::make_shared<PartSource>(*document.parts[1]);
+  other->stroke.resize(12);
+  document.parts[1] = other;
+  const std::string whole = writeDocument(document);
+
+  const char* tokens[] = {"{",          "}",          "[",
+                          "]",          ",",          ":",
+                          "null",       "true",       "\"",
+                          "1e999",      "-",          "0",
+                          "\"id\"",     "\"points\"", "[[",
+                          "{}",         "\\u0000",    "\\ud800",
+                          "1e",         "NaN",        "\xef\xbb\xbf",
+                          "\"marrow\"", "\"part-1\"", "99999999999999999999"};
+  constexpr int kTokens = sizeof tokens / sizeof tokens[0];
+  Random random(99);
+  const auto place = [&](const std::string& text) {
+    return static_cast<size_t>(random.below(static_cast<int>(text.size()) + 1));
+  };
+  int sound = 0;
+  for (int run = 0; run < 3000; ++run) {
+    std::string text = whole;
+    for (int edits = 1 + random.below(3); edits > 0; --edits) {
+      const size_t at = place(text);
+      switch (random.below(6)) {
+        case 0:  // a flipped bit
+          if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << random.below(8)));
+          break;
+        case 1:  // cut off
+          if (random.below(4) == 0) text.resize(at);
+          break;
+        case 2:  // a foreign token
+          text.insert(at, tokens[random.below(kTokens)]);
+          break;
+        case 3:  // a token instead of a stretch
+          text.replace(at, static_cast<size_t>(random.below(12)), tokens[random.below(kTokens)]);
+          break;
+        case 4:  // a stretch moved
+          text.insert(place(text), text.substr(at, static_cast<size_t>(random.below(40))));
+          break;
+        case 5:  // a stretch lost
+          text.erase(at, static_cast<size_t>(random.below(20)));
+          break;
+      }
+    }
+    const auto read = readDocument(text);
+    if (!read) {
+      REQUIRE((read.status() == Status::unreadable || read.status() == Status::newerVersion));
+      REQUIRE(read.message().find('\n') == std::string::npos);
+      continue;
+    }
+    ++sound;
+    const std::string written = writeDocument(*read);
+    const auto again = readDocument(written);
+    REQUIRE(again);
+    REQUIRE(writeDocument(*again) == written);
+    for (const auto& part : read->parts) {
+      REQUIRE_FALSE(part->id.empty());
+      for (Vec2 point : part->stroke) REQUIRE(isDrawable(point));
+    }
+  }
+  REQUIRE(sound > 100);
+}
