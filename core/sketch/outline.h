@@ -21,7 +21,8 @@ struct Outline {
   std::vector<Vec2> dense;    // what the hand drew, evenly sampled, corners kept; for the mesh
   std::vector<Vec2> polygon;  // simplified; input of the skeleton
   double perimeter = 0;       // of `dense`, model units
-  bool crossed_itself = false;  // the stroke did; `dense` is the outer boundary of its largest piece
+  bool crossed_itself =
+      false;  // the stroke did; `dense` is the outer boundary of its largest piece
 
   /// What a threshold given at the reference perimeter is multiplied by.
   double scale() const { return perimeter / kReferencePerimeter; }

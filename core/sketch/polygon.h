@@ -10,11 +10,13 @@ namespace marrow {
 /// Positive for counter-clockwise, square model units.
 double signedArea(const std::vector<Vec2>& polygon);
 double perimeter(const std::vector<Vec2>& polygon);
-/// No two edges touch, but for neighbours at their common vertex. O(n log n) in practice.
+/// No two edges touch, but for neighbours at their common vertex. Exact; O(n) in practice.
 bool isSimple(const std::vector<Vec2>& polygon);
 /// Strictly inside by the even-odd rule; points on the border may go either way. O(n).
 bool contains(const std::vector<Vec2>& polygon, Vec2 point);
 /// The smallest distance from `point` to the polygon's border. O(n).
 double distanceToBorder(const std::vector<Vec2>& polygon, Vec2 point);
+/// The smallest distance from `point` to the segment ab.
+double distanceToSegment(Vec2 a, Vec2 b, Vec2 point);
 
 }  // namespace marrow

@@ -1,0 +1,320 @@
+#include "sketch/outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "sketch/arc_curve.h"
+#include "sketch/polygon.h"
+#include "sketch/resample.h"
+#include "sketch/simplify.h"
+#include "sketch/stroke_ends.h"
+#include "sketch/untangle.h"
+
+namespace marrow {
+namespace {
+
+// Beyond this a coordinate's square may leave the range of double.
+constexpr double kLargest = 1e100;
+// What is thinner than this, of its own length, encloses nothing.
+constexpr double kThinnest = 1e-7;
+// Strokes with more samples are put on a lattice of 2^kCoarseBits: far finer than a screen, and no
+// cluster of samples can then make the search for crossings slow.
+constexpr size_t kManySamples = 4096;
+constexpr int kCoarseBits = 16;
+
+constexpr double kStepsAcross = 48;   // at least, over the diagonal of the shape's box
+constexpr double kMostFiner = 8;      // × OutlineOptions::samples, for thin shapes
+constexpr double kPixelsPerStep = 4;  // at least, where samples lie on whole pixels
+constexpr int kStepHalvings = 4;
+constexpr double kToleranceByWidth = 0.15;     // × the shape's mean width, at most
+constexpr double kToleranceAcross = 1 / 150.;  // × the diagonal of the shape's box, at most
+constexpr double kToleranceByPixel = 0.75;
+constexpr int kToleranceCuts = 24;
+constexpr double kToleranceCut = 0.7;
+constexpr double kSpikeBySteps = 0.1;   // thinner spikes than this go,
+constexpr double kSpikeByWidth = 0.05;  // if they are that thin beside the shape as well
+
+struct Box {
+  Vec2 low, high;
+  Vec2 size() const { return high - low; }
+  double diagonal() const { return length(size()); }
+};
+
+Box boxOf(const std::vector<Vec2>& points) {
+  Box box{points[0], points[0]};
+  for (const Vec2& p : points) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  return box;
+}
+
+bool isUsable(Vec2 p) {
+  return std::fabs(p.x) <= kLargest && std::fabs(p.y) <= kLargest;  // false for NaN as well
+}
+
+void dropRepeats(std::vector<Vec2>& points) {
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  while (points.size() > 1 && points.back() == points.front()) points.pop_back();
+}
+
+bool hasThreeDistinct(const std::vector<Vec2>& points) {
+  for (const Vec2& p : points) {
+    if (p != points[0] && p != points[1]) return true;
+  }
+  return false;
+}
+
+/// The plane moved and scaled by a power of two so that the stroke's box lies in [0, 1]²: nothing
+/// overflows there, and scaling the stroke by a power of two changes no bit.
+class Frame {
+ public:
+  explicit Frame(const Box& box) : origin_(box.low) {
+    std::frexp(std::max(box.size().x, box.size().y), &exponent_);
+  }
+  Vec2 toLocal(Vec2 p) const {
+    const Vec2 moved = p - origin_;
+    return {std::ldexp(moved.x, -exponent_), std::ldexp(moved.y, -exponent_)};
+  }
+  Vec2 toModel(Vec2 p) const {
+    return {origin_.x + std::ldexp(p.x, exponent_), origin_.y + std::ldexp(p.y, exponent_)};
+  }
+  std::vector<Vec2> toModel(const std::vector<Vec2>& points) const {
+    std::vector<Vec2> moved;
+    moved.reserve(points.size());
+    for (const Vec2& p : points) moved.push_back(toModel(p));
+    return moved;
+  }
+
+ private:
+  Vec2 origin_;
+  int exponent_ = 0;
+};
+
+std::vector<Vec2> snapped(const std::vector<Vec2>& points, int bits) {
+  std::vector<Vec2> lattice;
+  lattice.reserve(points.size());
+  for (const Vec2& p : points) {
+    lattice.push_back(
+        {std::floor(std::ldexp(p.x, bits) + 0.5), std::floor(std::ldexp(p.y, bits) + 0.5)});
+  }
+  return lattice;
+}
+
+std::vector<Vec2> unsnapped(std::vector<Vec2> lattice, int bits) {
+  for (Vec2& p : lattice) p = {std::ldexp(p.x, -bits), std::ldexp(p.y, -bits)};
+  return lattice;
+}
+
+/// Twice the area over the perimeter: the width of a long strip, the radius of a disc.
+double meanWidth(const std::vector<Vec2>& loop) {
+  return 2 * std::fabs(signedArea(loop)) / perimeter(loop);
+}
+
+bool isThin(const std::vector<Vec2>& loop) {
+  const double diagonal = boxOf(loop).diagonal();
+  return !(std::fabs(signedArea(loop)) > kThinnest * diagonal * diagonal);
+}
+
+/// The side of the pixels on whose corners all samples lie, or 0 where the samples are not dense
+/// or not on pixels.
+double pixelSize(const std::vector<Vec2>& stroke) {
+  constexpr size_t kFewSamples = 32;
+  constexpr double kDense = 4;  // pixels from sample to sample, on average
+  constexpr double kOff = 0.02;
+  if (stroke.size() < kFewSamples) return 0;
+  double pixel = 0, length_of_stroke = 0;
+  for (size_t i = 1; i < stroke.size(); ++i) {
+    const Vec2 step = stroke[i] - stroke[i - 1];
+    length_of_stroke += length(step);
+    for (const double d : {std::fabs(step.x), std::fabs(step.y)}) {
+      if (d > 1e-9 && (pixel == 0 || d < pixel)) pixel = d;
+    }
+  }
+  if (length_of_stroke > kDense * pixel * static_cast<double>(stroke.size())) return 0;
+  for (size_t i = 1; i < stroke.size(); ++i) {
+    const Vec2 step = (stroke[i] - stroke[i - 1]) / pixel;
+    for (const double d : {step.x, step.y}) {
+      if (std::fabs(d - std::floor(d + 0.5)) > kOff) return 0;
+    }
+  }
+  return pixel;
+}
+
+/// Takes back what a pen drew forth and back over nearly the same line: tips of spikes, down to
+/// where the two sides are `thin` apart.
+std::vector<Vec2> withoutSpikes(const std::vector<Vec2>& loop, double thin) {
+  const auto isTip = [thin](Vec2 a, Vec2 b, Vec2 c) {
+    return dot(b - a, c - b) < 0 &&
+           (distanceToSegment(a, b, c) <= thin || distanceToSegment(b, c, a) <= thin);
+  };
+  std::vector<Vec2> kept;
+  for (const Vec2& p : loop) {
+    while (kept.size() > 1 && isTip(kept[kept.size() - 2], kept.back(), p)) kept.pop_back();
+    if (kept.empty() || kept.back() != p) kept.push_back(p);
+  }
+  size_t first = 0;
+  while (kept.size() - first > 3) {
+    const size_t last = kept.size() - 1;
+    if (isTip(kept[last - 1], kept[last], kept[first])) {
+      kept.pop_back();
+    } else if (isTip(kept[last], kept[first], kept[first + 1])) {
+      ++first;
+    } else {
+      break;
+    }
+  }
+  kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(first));
+  return kept;
+}
+
+/// Without the vertices that lie on the line between their neighbours, numerically.
+std::vector<Vec2> withoutCollinear(const std::vector<Vec2>& loop, double diagonal) {
+  constexpr double kOnLine = 1e-9;
+  std::vector<Vec2> kept;
+  const size_t n = loop.size();
+  for (size_t i = 0; i < n; ++i) {
+    const Vec2 before = kept.empty() ? loop[n - 1] : kept.back();
+    const Vec2 after = i + 1 < n ? loop[i + 1] : (kept.empty() ? loop[0] : kept[0]);
+    if (distanceToSegment(before, after, loop[i]) > kOnLine * diagonal) kept.push_back(loop[i]);
+  }
+  return kept;
+}
+
+std::vector<Vec2> convexHull(std::vector<Vec2> points) {
+  std::sort(points.begin(), points.end(),
+            [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::vector<Vec2> hull;
+  for (const int half : {0, 1}) {
+    const size_t base = hull.size();
+    for (const Vec2& p : points) {
+      while (hull.size() >= base + 2 &&
+             cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) {
+        hull.pop_back();
+      }
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    if (half == 0) std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+struct Loop {
+  std::vector<Vec2> points;  // counter-clockwise, local frame
+  bool crossed_itself = false;
+};
+
+Loop closedLoop(const std::vector<Vec2>& stroke) {
+  const bool many = stroke.size() > kManySamples;
+  const int bits = many ? kCoarseBits : kLatticeBits;
+  std::vector<Vec2> lattice = snapped(stroke, bits);
+  dropRepeats(lattice);
+  Loop loop;
+  loop.crossed_itself = !isSimple(lattice);
+  if (loop.crossed_itself) {
+    loop.points = unsnapped(outerBoundary(lattice), bits);
+  } else {
+    loop.points = many ? unsnapped(std::move(lattice), bits) : stroke;
+    if (signedArea(loop.points) < 0) std::reverse(loop.points.begin(), loop.points.end());
+  }
+  dropRepeats(loop.points);
+  return loop;
+}
+
+bool isGood(const std::vector<Vec2>& polygon) {
+  return isSimple(polygon) && signedArea(polygon) > 0;
+}
+
+/// What both outlines are made from.
+struct Source {
+  std::vector<Vec2> loop;  // local frame
+  Frame frame;
+  double diagonal, step, tolerance;
+};
+
+struct LocalAndModel {
+  std::vector<Vec2> local, model;
+};
+
+LocalAndModel makeDense(const Source& source) {
+  const ArcCurve curve(source.loop);
+  double step = source.step;
+  for (int halving = 0; halving <= kStepHalvings + 2; ++halving, step /= 2) {
+    LocalAndModel dense;
+    if (halving <= kStepHalvings) {
+      dense.local = resample(curve, step);
+    } else if (halving == kStepHalvings + 1) {
+      dense.local = source.loop;
+    } else {
+      dense.local = convexHull(source.loop);
+    }
+    dense.local = withoutCollinear(dense.local, source.diagonal);
+    dense.model = source.frame.toModel(dense.local);
+    if (isGood(dense.model)) return dense;
+  }
+  return {};
+}
+
+std::vector<Vec2> makePolygon(const Source& source, const LocalAndModel& dense) {
+  double tolerance = source.tolerance;
+  for (int cut = 0; cut < kToleranceCuts; ++cut, tolerance *= kToleranceCut) {
+    std::vector<Vec2> polygon;
+    for (const uint32_t i : simplify(dense.local, tolerance)) polygon.push_back(dense.model[i]);
+    if (isGood(polygon)) return polygon;
+  }
+  return dense.model;
+}
+
+}  // namespace
+
+Result<Outline> makeOutline(const std::vector<Vec2>& stroke, const OutlineOptions& options) {
+  std::vector<Vec2> points;
+  points.reserve(stroke.size());
+  std::copy_if(stroke.begin(), stroke.end(), std::back_inserter(points), isUsable);
+  dropRepeats(points);
+  if (points.size() < 3 || !hasThreeDistinct(points)) return Status::tooFewPoints;
+
+  const Frame frame(boxOf(points));
+  for (Vec2& p : points) p = frame.toLocal(p);
+  dropRepeats(points);
+  if (points.size() < 3) return Status::noArea;
+
+  const double pixel = pixelSize(points);
+  Loop loop = closedLoop(trimOvershoot(points));
+  if (loop.points.size() < 3 || isThin(loop.points)) return Status::noArea;
+
+  double length_of_loop = perimeter(loop.points), width = meanWidth(loop.points);
+  const double samples = std::max(8, options.samples);
+  std::vector<Vec2> smooth = withoutSpikes(
+      loop.points, std::min(kSpikeBySteps * length_of_loop / samples, kSpikeByWidth * width));
+  if (smooth.size() < loop.points.size() && isGood(smooth) && !isThin(smooth)) {
+    loop.points = std::move(smooth);
+    length_of_loop = perimeter(loop.points);
+    width = meanWidth(loop.points);
+  }
+
+  const double diagonal = boxOf(loop.points).diagonal();
+  const double even_step = length_of_loop / samples;
+  const double step = std::max(
+      std::min(kPixelsPerStep * pixel, length_of_loop / 40),
+      std::min({even_step, diagonal / kStepsAcross, std::max(width, even_step / kMostFiner)}));
+  const double tolerance =
+      std::max(std::min(kToleranceByPixel * pixel, length_of_loop / 400),
+               std::min({options.tolerance * length_of_loop / kReferencePerimeter,
+                         kToleranceByWidth * width, kToleranceAcross * diagonal}));
+
+  const Source source{std::move(loop.points), frame, diagonal, step, tolerance};
+  LocalAndModel dense = makeDense(source);
+  if (dense.model.empty()) return Status::noArea;
+  Outline outline;
+  outline.polygon = makePolygon(source, dense);
+  outline.dense = std::move(dense.model);
+  outline.perimeter = perimeter(outline.dense);
+  outline.crossed_itself = loop.crossed_itself;
+  return outline;
+}
+
+}  // namespace marrow

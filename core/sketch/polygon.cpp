@@ -1,0 +1,104 @@
+#include "sketch/polygon.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "sketch/edge_grid.h"
+#include "sketch/turn_sign.h"
+
+namespace marrow {
+namespace {
+
+bool boxesApart(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  return std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
+         std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y);
+}
+
+/// Whether the closed segments ab and cd have a point in common.
+bool segmentsMeet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  if (boxesApart(a, b, c, d)) return false;
+  if (turnSign(a, b, c) * turnSign(a, b, d) > 0) return false;
+  return turnSign(c, d, a) * turnSign(c, d, b) <= 0;
+}
+
+/// Whether the path a, b, c goes back over itself at b.
+bool turnsBack(Vec2 a, Vec2 b, Vec2 c) {
+  return turnSign(a, b, c) == 0 && ((b.x > a.x) != (c.x > b.x) || b.x == a.x || b.x == c.x) &&
+         ((b.y > a.y) != (c.y > b.y) || b.y == a.y || b.y == c.y);
+}
+
+}  // namespace
+
+double signedArea(const std::vector<Vec2>& polygon) {
+  if (polygon.size() < 3) return 0;
+  const Vec2 origin = polygon[0];
+  double doubled = 0;
+  for (size_t i = 1; i + 1 < polygon.size(); ++i) {
+    doubled += cross(polygon[i] - origin, polygon[i + 1] - origin);
+  }
+  return doubled / 2;
+}
+
+double perimeter(const std::vector<Vec2>& polygon) {
+  double sum = 0;
+  for (size_t i = 0, n = polygon.size(); i < n; ++i) {
+    sum += distance(polygon[i], polygon[i + 1 < n ? i + 1 : 0]);
+  }
+  return sum;
+}
+
+bool isSimple(const std::vector<Vec2>& polygon) {
+  const auto n = static_cast<uint32_t>(polygon.size());
+  if (n < 3) return false;
+  std::vector<EdgeGrid::Edge> edges(n);
+  for (uint32_t i = 0; i < n; ++i) {
+    const uint32_t next = i + 1 < n ? i + 1 : 0, after = next + 1 < n ? next + 1 : 0;
+    edges[i] = {i, next};
+    if (polygon[i] == polygon[next]) return false;
+    if (turnsBack(polygon[i], polygon[next], polygon[after])) return false;
+  }
+
+  const EdgeGrid grid(polygon, edges);
+  for (uint32_t cell = 0; cell < grid.cellCount(); ++cell) {
+    const EdgeGrid::Range here = grid.edgesIn(cell);
+    for (size_t i = 1; i < here.size(); ++i) {
+      const uint32_t e = here[i];
+      for (size_t j = 0; j < i; ++j) {
+        const uint32_t f = here[j];  // f < e
+        if (f + 1 == e || (f == 0 && e == n - 1)) continue;
+        if (segmentsMeet(polygon[e], polygon[edges[e][1]], polygon[f], polygon[f + 1])) {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+bool contains(const std::vector<Vec2>& polygon, Vec2 point) {
+  bool inside = false;
+  for (size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Vec2 a = polygon[j], b = polygon[i];
+    if ((a.y > point.y) == (b.y > point.y)) continue;
+    if ((turnSign(a, b, point) > 0) == (b.y > a.y)) inside = !inside;
+  }
+  return inside;
+}
+
+double distanceToBorder(const std::vector<Vec2>& polygon, Vec2 point) {
+  double best = std::numeric_limits<double>::infinity();
+  for (size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    best = std::min(best, distanceToSegment(polygon[j], polygon[i], point));
+  }
+  return best;
+}
+
+double distanceToSegment(Vec2 a, Vec2 b, Vec2 point) {
+  const Vec2 way = b - a;
+  const double squared = dot(way, way);
+  if (!(squared > 0)) return distance(a, point);
+  const double t = std::min(1.0, std::max(0.0, dot(point - a, way) / squared));
+  return distance(a + way * t, point);
+}
+
+}  // namespace marrow
