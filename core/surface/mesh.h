@@ -16,18 +16,20 @@ struct Mesh {
 };
 
 struct MeshReport {
-  bool closed = false;     // every edge has two triangles
-  bool manifold = false;   // every edge at most two, every vertex one fan, orientation consistent
-  double volume = 0;       // signed, cubic model units; positive when triangles face outward
-  double area = 0;         // square model units
-  int degenerate = 0;      // triangles with a repeated corner or no area
+  bool closed = false;    // no edge has one triangle only
+  bool manifold = false;  // every edge at most two, every vertex one fan, orientation consistent
+  double volume = 0;      // signed, cubic model units; positive when triangles face outward
+  double area = 0;        // square model units
+  int degenerate = 0;     // triangles with a repeated corner or no area
 };
 MeshReport inspect(const Mesh& mesh);
 
 /// Everything wrong with a mesh that should be a closed, outward solid; empty when nothing is.
 std::vector<std::string> validate(const Mesh& mesh);
 
-/// Unit normals, one per vertex, weighted by the angle of each triangle there.
+/// Unit normals, one per vertex: the triangles' there, weighted by sine of angle ÷ (product of the
+/// two edges' lengths), which is exact on spheres [Max 1999]. (0, 0, 1) where a vertex has no
+/// triangle.
 std::vector<Vec3> vertexNormals(const Mesh& mesh);
 
 }  // namespace marrow

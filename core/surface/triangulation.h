@@ -11,12 +11,13 @@
 namespace marrow {
 
 struct TriangulationOptions {
-  int target_points = 1000;  // points aimed at, border included; bounds the work, whatever the stroke
+  int target_points =
+      1000;  // points aimed at, border included; bounds the work, whatever the stroke
 };
 
 struct Triangulation {
-  std::vector<Vec2> points;       // the border first, in the outline's order, then the interior
-  uint32_t border_count = 0;      // how many of `points` lie on the border
+  std::vector<Vec2> points;   // the border first, in the outline's order, then the interior
+  uint32_t border_count = 0;  // how many of `points` lie on the border
   std::vector<std::array<uint32_t, 3>> triangles;  // counter-clockwise, none degenerate
 };
 
