@@ -116,9 +116,17 @@ std::string polygonOf(std::initializer_list<Vec2> corners) {
   return text + "/>\n";
 }
 
-/// The sum of a ball at either end and the cone that touches both.
-std::string proxyShape(const Frame& frame, const PartSkeleton& skeleton) {
-  std::string text = openGroup("radii", "fill=\"#56b4e9\" fill-opacity=\"0.16\"");
+std::string balls(const Frame& frame, const PartSkeleton& skeleton) {
+  std::string text;
+  for (const auto& joint : skeleton.joints) {
+    text += circle(frame.point(joint.position), frame.length(joint.radius));
+  }
+  return text;
+}
+
+/// A ball at each joint and the cone around each bone that touches its two.
+std::string proxy(const Frame& frame, const PartSkeleton& skeleton) {
+  std::string text = openGroup("proxy", "fill=\"#56b4e9\" opacity=\"0.2\"");
   for (const auto& bone : skeleton.bones) {
     const auto &a = skeleton.joints[bone[0]], &b = skeleton.joints[bone[1]];
     const Vec2 from = frame.point(a.position), to = frame.point(b.position);
@@ -131,12 +139,9 @@ std::string proxyShape(const Frame& frame, const PartSkeleton& skeleton) {
     const Vec2 left = along * sine + across, right = along * sine - across;
     text += polygonOf({from + left * ra, to + left * rb, to + right * rb, from + right * ra});
   }
-  text += "</g>\n";
-  text += openGroup("balls", "fill=\"none\" stroke=\"#56b4e9\" stroke-width=\"1.3\"");
-  for (const auto& joint : skeleton.joints) {
-    text += circle(frame.point(joint.position), frame.length(joint.radius));
-  }
-  return text + "</g>\n";
+  text += balls(frame, skeleton) + "</g>\n";
+  text += openGroup("balls", "fill=\"none\" stroke=\"#3f9cd4\" stroke-opacity=\"0.55\"");
+  return text + balls(frame, skeleton) + "</g>\n";
 }
 
 std::string arcs(const Frame& frame, const StraightSkeleton& skeleton, StraightSkeleton::Kind kind,
@@ -184,7 +189,7 @@ class Legend {
 
   void title(const std::string& words) {
     text_ += "<text x=\"" + fixed(x_) + "\" y=\"" + fixed(y_) +
-             "\" font-size=\"19\" font-weight=\"600\">" + escaped(words) + "</text>\n";
+             "\" font-size=\"17\" font-weight=\"600\">" + escaped(words) + "</text>\n";
     y_ += 14;
   }
   void line(const std::string& style, const std::string& words) {
@@ -266,8 +271,7 @@ std::string legend(const Frame& frame, const std::string& name, const Part& part
         count(kinds[static_cast<size_t>(kind)], toString(kind)));
   }
   legend.line("stroke=\"#3c3a36\" stroke-width=\"4\"", count(part.skeleton.bones.size(), "bones"));
-  legend.dot(9, "fill=\"#56b4e9\" fill-opacity=\"0.16\" stroke=\"#56b4e9\" stroke-width=\"1.3\"",
-             "radii of the proxy");
+  legend.dot(9, "fill=\"#56b4e9\" fill-opacity=\"0.2\" stroke=\"#3f9cd4\"", "radii of the proxy");
   legend.gap();
   legend.plain("mesh: " + count(part.mesh.positions.size(), "vertices"));
   legend.plain(count(part.mesh.triangles.size(), "triangles"));
@@ -285,7 +289,7 @@ std::string partToSvg(const std::string& name, const Part& part) {
                     "fill=\"#ffffff\"/>\n";
   svg += std::string("<polygon id=\"outline\" fill=\"#f6f2e8\" stroke-linejoin=\"round\" ") +
          kOutlineStyle + " points=\"" + points(frame, part.outline.dense) + "\"/>\n";
-  svg += proxyShape(frame, part.skeleton);
+  svg += proxy(frame, part.skeleton);
   svg += arcs(frame, part.straight_skeleton, StraightSkeleton::Kind::peripheral, kPeripheralStyle);
   svg += arcs(frame, part.straight_skeleton, StraightSkeleton::Kind::skeleton, kArcStyle);
   svg += std::string("<polygon id=\"polygon\" fill=\"none\" ") + kPolygonStyle + " points=\"" +
