@@ -1,0 +1,48 @@
+// Which points of a branch become joints: Douglas–Peucker that heeds the shape around the axis and
+// stays inside it  [RS §3.1, Algorithms 1 and 2, Fig. 7]
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace marrow {
+
+/// A point of a branch with the segment s_i that the polygon cuts from the line across it.
+struct BranchSample {
+  Vec2 point;
+  Vec2 normal;        // unit, across the branch, to its left
+  double along = 0;   // arc length from the branch's start
+  double left = 0;    // from the point to the border, along the normal
+  double right = 0;   // and against it
+  double radius = 0;  // inscribed
+};
+
+/// Samples of a branch at even distances of about `step`, first and last point included.
+///
+/// axis: the branch's points; its edges lie inside the polygon. Three or more are joined by a
+/// centripetal Catmull–Rom spline; where that would leave the polygon, the samples follow the
+/// polyline and contain all of its points. Every segment between samples lies inside the polygon.
+/// At most kMaxSamples + the axis points.
+std::vector<BranchSample> sampleBranch(const std::vector<Vec2>& polygon,
+                                       const std::vector<Vec2>& axis, double step);
+constexpr size_t kMaxSamples = 256;
+
+struct BoundedDpOptions {
+  double epsilon = 5.0;       // threshold, model units
+  double shape_weight = 1.0;  // α_s of Equation 1
+  double shrink = 0.8;        // the threshold's factor for the halves of a bone that left the shape
+};
+
+/// The indices of the samples to keep, ascending, first and last included. Every segment between
+/// two of them lies inside the polygon. A larger epsilon keeps a subset.
+///
+/// Where a bone leaves the region it is split at its largest error, and its halves are measured
+/// with the threshold × shrink. (Shrinking the threshold of the whole branch, as Algorithm 2 does,
+/// adds joints where none is needed, and lets a larger start threshold end with more of them.)
+std::vector<size_t> boundedDp(const std::vector<Vec2>& polygon,
+                              const std::vector<BranchSample>& samples,
+                              const BoundedDpOptions& options);
+
+}  // namespace marrow

@@ -1,0 +1,13 @@
+// Does a segment stay inside a polygon?
+#pragma once
+
+#include <vector>
+
+#include "base/vec.h"
+
+namespace marrow {
+
+/// a, b: points inside the polygon. False also where the segment touches the border. O(n).
+bool segmentInside(const std::vector<Vec2>& polygon, Vec2 a, Vec2 b);
+
+}  // namespace marrow
