@@ -1,4 +1,5 @@
-// Families of simple, counter-clockwise polygons, from general position to nothing but coincidences.
+// Families of simple, counter-clockwise polygons, from general position to nothing but
+// coincidences.
 #pragma once
 
 #include <algorithm>
@@ -15,10 +16,14 @@
 
 namespace marrow {
 
+/// Where events coincide, a straight skeleton is not continuous: the rounding of a turn decides how
+/// vertices that meet go on. The truth is then that of the polygon before the turn.
 struct NamedPolygon {
   std::string name;
   std::vector<Vec2> points;
-  bool degenerate = false;  // events coincide by construction
+  bool degenerate = false;       // events coincide by construction
+  std::vector<Vec2> exact = {};  // `points` without the rounding: before turning by turn_rad
+  double turn_rad = 0;
 };
 
 inline constexpr double kPi = 3.14159265358979323846;
@@ -107,15 +112,16 @@ inline std::vector<Vec2> randomUntangled(Random& random, int n) {
   return p;
 }
 
-/// The outline of a random heap of unit squares without holes; corners cut where `octilinear`.
-inline std::vector<Vec2> randomPolyomino(Random& random, int cells, bool octilinear) {
+/// The outline of a random heap of squares without holes. Some corners are cut where `cut`, in the
+/// proportion 3 : 4, so that all normals are exact.
+inline std::vector<Vec2> randomPolyomino(Random& random, int cells, bool cut) {
   std::set<std::pair<int, int>> filled{{0, 0}};
   const int dx[] = {1, 0, -1, 0}, dy[] = {0, 1, 0, -1};
   const auto has = [&](int x, int y) { return filled.count({x, y}) > 0; };
   for (int tries = 0; static_cast<int>(filled.size()) < cells && tries < 60 * cells; ++tries) {
     auto it = filled.begin();
-    std::advance(it, random.below(static_cast<uint32_t>(filled.size())));
-    const uint32_t d = random.below(4);
+    std::advance(it, random.below(static_cast<int>(filled.size())));
+    const int d = random.below(4);
     const int x = it->first + dx[d], y = it->second + dy[d];
     if (has(x, y)) continue;
     // Around the new cell, filled and empty must each be in one run: no holes, no pinched corners.
@@ -138,14 +144,16 @@ inline std::vector<Vec2> randomPolyomino(Random& random, int cells, bool octilin
     const bool ahead_left = has(x + ax[left], y + ay[left]);
     const bool ahead_right = has(x + ax[(left + 3) % 4], y + ay[(left + 3) % 4]);
     int turn = 0;
-    if (!ahead_left) turn = 1;
-    else if (ahead_right) turn = 3;
+    if (!ahead_left)
+      turn = 1;
+    else if (ahead_right)
+      turn = 3;
     if (turn != 0) corners.push_back({static_cast<double>(x), static_cast<double>(y)});
     direction = (direction + turn) % 4;
     x += dx[direction];
     y += dy[direction];
   } while (x != sx || y != sy);
-  if (!octilinear) return scaled(corners, 10);
+  if (!cut) return scaled(corners, 16);
   std::vector<Vec2> points;
   const size_t n = corners.size();
   for (size_t i = 0; i < n; ++i) {
@@ -153,11 +161,11 @@ inline std::vector<Vec2> randomPolyomino(Random& random, int cells, bool octilin
     if (random.unit() < 0.5) {
       points.push_back(p);
     } else {
-      points.push_back(p + (a - p) * (0.25 / length(a - p)));
+      points.push_back(p + (a - p) * (0.1875 / length(a - p)));
       points.push_back(p + (b - p) * (0.25 / length(b - p)));
     }
   }
-  return scaled(points, 10);
+  return scaled(points, 16);
 }
 
 /// A band of constant width along a spiral.
@@ -182,8 +190,6 @@ inline std::vector<Vec2> comb(int teeth, double depth) {
       points.push_back({2.0 * i - 1, 1});
     }
   }
-  points.erase(points.begin() + 1);  // the last tooth's side continues the corner
-  points.insert(points.begin() + 1, {2.0 * teeth - 1, 0});
   return points;
 }
 
@@ -225,14 +231,22 @@ inline std::vector<Vec2> jittered(Random& random, std::vector<Vec2> points, doub
 inline std::vector<NamedPolygon> polygonFamilies(uint64_t seed, int count) {
   Random random(seed);
   std::vector<NamedPolygon> all;
-  const auto add = [&](const std::string& name, std::vector<Vec2> points, bool degenerate) {
-    if (points.size() < 3 || !isSimple(points) || signedArea(points) <= 0) return;
-    all.push_back({name + " " + std::to_string(all.size()), std::move(points), degenerate});
+  const auto addTurned = [&](const std::string& name, const std::vector<Vec2>& exact, double turn,
+                             double jitter, bool degenerate) {
+    std::vector<Vec2> points = turn == 0 ? exact : turned(exact, turn);
+    if (jitter > 0) points = jittered(random, points, jitter);
+    if (points.size() < 3 || !isSimple(exact) || !isSimple(points) || signedArea(points) <= 0) {
+      return;
+    }
+    all.push_back({name + " " + std::to_string(all.size()), points, degenerate, exact, turn});
+  };
+  const auto add = [&](const std::string& name, const std::vector<Vec2>& points, bool degenerate) {
+    addTurned(name, points, 0, 0, degenerate);
   };
   for (int i = 0; static_cast<int>(all.size()) < count; ++i) {
-    const int size = 3 + static_cast<int>(random.below(60));
+    const int size = 3 + random.below(60);
     const double turn = random.between(0, 2 * kPi);
-    switch (i % 16) {
+    switch (i % 17) {
       case 0:
         add("star", randomStar(random, size, 0.9), false);
         break;
@@ -252,41 +266,44 @@ inline std::vector<NamedPolygon> polygonFamilies(uint64_t seed, int count) {
         add("polyomino", randomPolyomino(random, size, false), true);
         break;
       case 6:
-        add("turned polyomino", turned(randomPolyomino(random, size, false), turn), true);
+        addTurned("turned polyomino", randomPolyomino(random, size, false), turn, 0, true);
         break;
       case 7:
-        add("octilinear", randomPolyomino(random, size, true), true);
+        add("cut polyomino", randomPolyomino(random, size, true), true);
         break;
-      case 8:
-        add("jittered polyomino",
-            jittered(random, randomPolyomino(random, size, false),
-                     std::pow(10.0, -1 - static_cast<int>(random.below(11)))),
-            true);
-        break;
-      case 9:
-        add("spiral", spiralBand(size + 20, random.between(1, 4), random.between(0.5, 4)), true);
-        break;
-      case 10:
-        add("comb", turned(comb(2 + size / 6, random.between(0.5, 20)), turn), true);
-        break;
-      case 11:
-        add("symmetric star",
-            symmetricStar(random, 2 + static_cast<int>(random.below(9)),
-                          2 + static_cast<int>(random.below(5))),
-            true);
-        break;
-      case 12:
-        add("mirror star", turned(mirrorStar(random, 2 + size / 3), turn), true);
-        break;
-      case 13: {
-        const double tilt = std::pow(10.0, -static_cast<int>(random.below(12)));
-        add("corridor",
-            turned({{0, 0}, {100, tilt}, {100, 10}, {60, 10}, {60, 30}, {40, 30}, {40, 10}, {0, 10}},
-                   turn),
+      case 8: {
+        // Far above the rounding: a general position like any other.
+        const double jitter = std::pow(10.0, -1 - random.below(7));
+        add("jittered polyomino", jittered(random, randomPolyomino(random, size, false), jitter),
             true);
         break;
       }
+      case 9:
+        addTurned("rounded polyomino", randomPolyomino(random, size, false), 0, 1e-13, true);
+        break;
+      case 10:
+        add("spiral", spiralBand(size + 20, random.between(1, 4), random.between(0.5, 4)), true);
+        break;
+      case 11:
+        addTurned("comb", comb(2 + size / 6, 0.25 * (1 + random.below(80))), turn, 0, true);
+        break;
+      case 12:
+        add("symmetric star", symmetricStar(random, 2 + random.below(9), 2 + random.below(5)),
+            true);
+        break;
+      case 13:
+        addTurned("mirror star", mirrorStar(random, 2 + size / 3), turn, 0, true);
+        break;
       case 14: {
+        const double tilt = std::pow(10.0, -random.below(12));
+        add("corridor",
+            turned(
+                {{0, 0}, {100, tilt}, {100, 10}, {60, 10}, {60, 30}, {40, 30}, {40, 10}, {0, 10}},
+                turn),
+            true);
+        break;
+      }
+      case 15: {
         // Collinear runs: a polyomino with extra vertices on its sides.
         std::vector<Vec2> points;
         const auto corners = randomPolyomino(random, std::max(2, size / 3), false);
@@ -299,8 +316,8 @@ inline std::vector<NamedPolygon> polygonFamilies(uint64_t seed, int count) {
         add("collinear runs", points, true);
         break;
       }
-      case 15: {
-        const double thin = std::pow(10.0, -static_cast<int>(random.below(5)));
+      case 16: {
+        const double thin = std::pow(10.0, -random.below(5));
         std::vector<Vec2> points = randomBlob(random, size + 6);
         for (Vec2& p : points) p.y *= thin;
         add("thin blob", turned(points, turn), false);
