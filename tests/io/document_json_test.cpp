@@ -86,6 +86,24 @@ TEST_CASE("document file: what was written is read back to the bit", "[document_
   }
 }
 
+TEST_CASE("document file: every platform writes the same text", "[document_json]") {
+  Random random(11);
+  auto part = std::make_shared<PartSource>();
+  part->id = "part-1";
+  for (int i = 0; i < 5000; ++i) {
+    const uint64_t bits = (static_cast<uint64_t>(random.unit() * 0x1p32) << 32) ^
+                          static_cast<uint64_t>(random.unit() * 0x1p53);
+    Vec2 point{0, random.between(-400, 400)};
+    std::memcpy(&point.x, &bits, sizeof bits);
+    if (isDrawable(point)) part->stroke.push_back(point);
+  }
+  Document document;
+  document.parts.push_back(part);
+  uint64_t hash = 14695981039346656037u;  // FNV-1a
+  for (unsigned char c : writeDocument(document)) hash = (hash ^ c) * 1099511628211u;
+  REQUIRE(hash == 9935174371115266662u);
+}
+
 TEST_CASE("document file: fields of later versions are kept where they stand", "[document_json]") {
   const std::string text =
       R"({"format":"marrow","version":1,"parts":[{"id":"part-1","name":"A",)"
