@@ -1,0 +1,101 @@
+// The app: one frame in a fixed order. Knows no OpenGL and no platform, so that a test can run it
+// without either.
+#pragma once
+
+#include <deque>
+#include <limits>
+#include <string>
+
+#include "document/evaluation.h"
+#include "document/history.h"
+#include "input.h"
+#include "meter.h"
+#include "panels/panel_layer.h"
+#include "render/scene.h"
+#include "scene_builder.h"
+#include "tools/tools.h"
+#include "ui_state.h"
+#include "warm_up.h"
+
+namespace marrow {
+
+class App {
+ public:
+  /// clock: milliseconds, the same as the events' and frames' times.
+  explicit App(Clock clock);
+
+  void resize(ViewSize size, double dpr);
+  void post(InputEvent event) { input_.push_back(std::move(event)); }
+
+  struct FrameResult {
+    bool draw = false;   // something on the screen changes
+    bool again = false;  // another frame is needed at once
+    double wake_after_ms = std::numeric_limits<double>::infinity();  // else, without an event
+  };
+  /// Input → tools → commands → evaluation → scene → panels. What panels ask for is applied in the
+  /// next frame.
+  FrameResult frame(double now_ms);
+  /// What to draw; ImGui's draw data goes on top.
+  const Scene& scene() const { return scene_; }
+  int fontsVersion() const { return panels_.fontsVersion(); }
+  bool wantsText() const { return panels_.wantsText(); }
+  /// The next frame draws, whatever has changed: the picture was lost.
+  void redraw() { drawn_fingerprint_ = 0; }
+
+  /// The same as the user's hand does.
+  bool undo();
+  bool redo();
+  /// Opens a document from its JSON. Errors leave everything as it is.
+  Result<bool> load(const std::string& json);
+
+  const Document& document() const { return history_.current(); }
+  const std::vector<EvaluatedPart>& parts() const { return evaluation_.parts(); }
+  const LivePart& livePart() const { return live_; }
+  const Error& liveError() const { return live_error_; }
+  const DrawTool& drawing() const { return tools_.drawing(); }
+  const UiState& ui() const { return ui_; }
+  const Meter& meter() const { return meter_; }
+  const WarmUp& warmUp() const { return warm_up_; }
+  WarmUp& warmUp() { return warm_up_; }
+  uint64_t framesDrawn() const { return frames_drawn_; }
+
+ private:
+  void takeInput();
+  void handle(const PointerEvent& event);
+  void handle(const KeyEvent& event);
+  void applyRequests();
+  void apply(const Command& command);
+  void update();
+  void updateLivePart();
+  void select(Vec2 pixel);
+  void say(std::string sentence);
+  void show(StandardView view);
+  void frameAll();
+  Vec3 pivot() const;
+  void closeEdit();
+
+  Clock clock_;
+  UiState ui_;
+  Tools tools_;
+  PanelLayer panels_;
+  History history_;
+  Evaluation evaluation_;
+  Document shown_;  // the current document with the edit under the hand
+  Scene scene_;
+  Meter meter_;
+  WarmUp warm_up_;
+  LivePart live_;
+  Error live_error_;
+  size_t live_points_ = 0;      // of the stroke, when the live part was made
+  double next_preview_ms_ = 0;  // earliest time for another one
+  bool said_turned_ = false;
+
+  std::deque<InputEvent> input_;
+  Requests requests_;
+  bool document_changed_ = true;
+  int frames_to_settle_ = 3;  // ImGui needs some to react to what it saw
+  uint64_t drawn_fingerprint_ = 0;
+  uint64_t frames_drawn_ = 0;
+};
+
+}  // namespace marrow

@@ -1,0 +1,72 @@
+// Orthographic camera that turns about the model like a turntable. In the front view the plane of
+// the drawing coincides with the screen.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "base/vec.h"
+
+namespace marrow {
+
+/// Width and height of the canvas in CSS pixels.
+struct ViewSize {
+  double width = 800, height = 600;
+};
+
+/// Where the camera looks from: yaw about the y axis, then pitch; zero is the front view.
+struct Camera {
+  Vec3 target;           // model point in the middle of the canvas
+  double yaw_rad = 0;    // positive: seen from the right
+  double pitch_rad = 0;  // positive: seen from above; −π/2 … π/2
+  double zoom = 1;       // CSS pixels per model unit
+
+  /// Rows: the view's right, up and towards-the-viewer directions in model space.
+  std::array<Vec3, 3> axes() const;
+  Vec3 toView(Vec3 model) const;   // model units, origin at the target, z to the viewer
+  Vec3 fromView(Vec3 view) const;  // inverse of toView
+  Vec2 toScreen(Vec3 model, ViewSize size) const;  // CSS pixels
+  /// The model point under a pixel, in the plane through the target that faces the viewer.
+  Vec3 underPixel(Vec2 pixel, ViewSize size) const;
+  /// How far the view is from the front view, radians.
+  double angleFromFront() const;
+
+  /// Moves what is under the pointer along with it.
+  void pan(Vec2 delta_px);
+  /// Turns about `pivot`, which keeps its place on the screen.
+  void orbit(Vec2 delta_px, Vec3 pivot);
+  void turn(double yaw_rad, double pitch_rad, Vec3 pivot);
+  /// Zooms so that the point under `pixel` stays there.
+  void zoomAt(Vec2 pixel, double factor, ViewSize size);
+};
+
+enum class StandardView : uint8_t { front, right, top };
+const char* toString(StandardView view);
+
+/// The camera turned into a standard view, zoom and middle kept; pivot keeps its place.
+Camera turnedTo(const Camera& camera, StandardView view, Vec3 pivot);
+/// The standard view this camera is in, if any.
+std::optional<StandardView> standardView(const Camera& camera);
+/// The camera moved and zoomed so that the box fills the part of the canvas inside `margin_px`.
+Camera framing(const Camera& camera, Vec3 low, Vec3 high, ViewSize size, double margin_px);
+
+/// A short glide from one camera to another.
+class CameraGlide {
+ public:
+  static constexpr double kDuration_ms = 260;
+
+  void start(const Camera& from, const Camera& to, double now_ms);
+  void stop() { running_ = false; }
+  bool running() const { return running_; }
+  const Camera& destination() const { return to_; }
+  /// The camera at a moment; ends the glide when its time is over.
+  Camera at(double now_ms);
+
+ private:
+  Camera from_, to_;
+  double start_ms_ = 0;
+  bool running_ = false;
+};
+
+}  // namespace marrow

@@ -1,0 +1,44 @@
+// Where panels lie. Wide: around the edges. Narrow: a bar above, a bar below, and one sheet at a
+// time between them and the drawing.
+#pragma once
+
+#include <algorithm>
+
+#include "panels/widgets.h"
+
+namespace marrow {
+
+constexpr float kBarPadding = 10;  // of a bar's two sides together
+
+inline float barHeight(const UiState& ui) { return buttonSide(ui) + kBarPadding; }
+inline float canvasWidth(const UiState& ui) { return static_cast<float>(ui.size.width); }
+inline float canvasHeight(const UiState& ui) { return static_cast<float>(ui.size.height); }
+inline float margin(const UiState& ui) { return ui.narrow() ? 8 : Theme::kMargin; }
+/// The ball that turns the view, in the top right corner.
+inline float gizmoSide(const UiState& ui) { return ui.narrow() ? 76.0f : 96.0f; }
+
+/// A sheet above the lower bar.
+inline PanelBox sheetBox(const UiState& ui) {
+  PanelBox box;
+  box.position = {canvasWidth(ui) / 2, canvasHeight(ui) - 2 * margin(ui) - barHeight(ui)};
+  box.anchor = {0.5f, 1};
+  box.width = std::min(canvasWidth(ui) - 2 * margin(ui), 420.0f);
+  box.max_height = canvasHeight(ui) * 0.55f;
+  return box;
+}
+
+/// A column at the right, below the view buttons.
+inline PanelBox columnBox(const UiState& ui) {
+  PanelBox box;
+  const float top = 3 * margin(ui) + gizmoSide(ui) + barHeight(ui);
+  box.position = {canvasWidth(ui) - margin(ui), top};
+  box.anchor = {1, 0};
+  box.width = 268;
+  box.max_height = std::max(canvasHeight(ui) - top - 2 * margin(ui) - barHeight(ui), 120.0f);
+  return box;
+}
+
+/// The title of a panel and the button that closes it; true when it is pressed.
+bool titleRow(const char* title, const UiState& ui);
+
+}  // namespace marrow

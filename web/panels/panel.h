@@ -1,0 +1,43 @@
+// What panels are given and what they may ask for. A panel draws itself and nothing else: what it
+// wants waits in Requests until the next frame applies it.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "document/evaluation.h"
+#include "document/history.h"
+#include "meter.h"
+#include "ui_state.h"
+
+namespace marrow {
+
+struct PanelInput {
+  const History& history;
+  const Document& shown;                    // the current document with the edit under the hand
+  const std::vector<EvaluatedPart>& parts;  // of `shown`
+  const Meter& meter;
+  bool drawing = false;  // a stroke is under way
+};
+
+struct Requests {
+  std::vector<Command> commands;
+  bool commit_edit = false;  // UiState::edit becomes a command
+  bool undo = false, redo = false;
+  bool frame_all = false;
+  std::optional<StandardView> view;
+  Vec2 orbit_px;
+  bool again = false;  // this frame changed UiState or moves: draw another one
+  double wake_after_ms = std::numeric_limits<double>::infinity();  // nothing changes until then
+};
+
+void drawToolbar(const PanelInput& input, UiState& ui, Requests& requests);
+void drawViewControls(const PanelInput& input, UiState& ui, Requests& requests);
+void drawPartPanel(const PanelInput& input, UiState& ui, Requests& requests);
+void drawPerformancePanel(const PanelInput& input, UiState& ui, Requests& requests);
+void drawHelpPanel(const PanelInput& input, UiState& ui, Requests& requests);
+void drawHint(const PanelInput& input, UiState& ui, Requests& requests);
+void drawToast(const PanelInput& input, UiState& ui, Requests& requests);
+
+}  // namespace marrow

@@ -1,0 +1,191 @@
+#include "panels/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "imgui_internal.h"
+
+namespace marrow {
+namespace {
+
+constexpr float kTooltipDelay_s = 0.45f;
+constexpr float kTooltipWidth = 260;
+
+ImDrawList& list() { return *ImGui::GetWindowDrawList(); }
+
+ImVec2 middle(ImVec2 low, ImVec2 high) { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
+
+// A shadow made of a few soft rims.
+void drawShadow(ImVec2 low, ImVec2 high) {
+  ImDrawList& back = *ImGui::GetBackgroundDrawList();
+  for (int i = 6; i >= 1; --i) {
+    const auto grow = static_cast<float>(i) * 2;
+    back.AddRectFilled({low.x - grow, low.y - grow + 3}, {high.x + grow, high.y + grow + 3},
+                       IM_COL32(40, 36, 60, 4), Theme::kRounding + grow);
+  }
+}
+
+void drawCentred(ImFont* font, const char* text, ImVec2 at, ImU32 color) {
+  const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
+  const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, text);
+  list().AddText(font, size, {std::round(at.x - extent.x / 2), std::round(at.y - extent.y / 2)},
+                 color, text);
+}
+
+ImU32 background(bool on) {
+  if (ImGui::IsItemActive()) return Theme::kPress;
+  if (on) return Theme::kAccentSoft;
+  return ImGui::IsItemHovered() ? Theme::kHover : 0;
+}
+
+// The clickable area of a button; false where it is disabled.
+bool pressed(const char* id, ImVec2 size, const ButtonLook& look) {
+  const bool clicked = ImGui::InvisibleButton(id, size) && look.enabled;
+  if (look.enabled) {
+    list().AddRectFilled(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), background(look.on), 9);
+  }
+  tooltipForLastItem(look.tooltip);
+  return clicked;
+}
+
+ImU32 foreground(const ButtonLook& look) {
+  if (!look.enabled) return Theme::kDisabled;
+  return look.on ? Theme::kAccent : Theme::kText;
+}
+
+}  // namespace
+
+void beginPanel(const char* name, const PanelBox& box) {
+  ImGui::SetNextWindowPos(box.position, ImGuiCond_Always, box.anchor);
+  const float limit = box.max_height > 0 ? box.max_height : FLT_MAX;
+  if (box.width > 0) {
+    ImGui::SetNextWindowSizeConstraints({box.width, 0}, {box.width, limit});
+  } else {
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, limit});
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, box.bar ? ImVec2(5, 5) : ImVec2(16, 14));
+  if (box.bar) ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(2, 2));
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                      ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
+                                      ImGuiWindowFlags_NoBringToFrontOnFocus;
+  ImGui::Begin(name, nullptr, kFlags);
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  if (!ImGui::GetCurrentWindow()->Hidden) drawShadow(low, {low.x + size.x, low.y + size.y});
+  ImGui::PopStyleVar(box.bar ? 2 : 1);
+  if (box.bar) ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(2, 2));
+  if (!box.bar) ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 8));
+}
+
+void endPanel() {
+  ImGui::PopStyleVar();
+  ImGui::End();
+}
+
+bool iconButton(const char* id, const char* icon, float side, const ButtonLook& look) {
+  const bool clicked = pressed(id, {look.width > 0 ? look.width : side, side}, look);
+  drawCentred(fonts().icons, icon, middle(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()),
+              foreground(look));
+  return clicked;
+}
+
+bool textButton(const char* id, const char* text, float height, const ButtonLook& look) {
+  const float width = look.width > 0 ? look.width : ImGui::CalcTextSize(text).x + 20;
+  const bool clicked = pressed(id, {width, height}, look);
+  drawCentred(fonts().regular, text, middle(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()),
+              foreground(look));
+  return clicked;
+}
+
+bool switchRow(const char* id, const char* icon, const char* text, bool on, float height) {
+  const bool clicked = pressed(id, {ImGui::GetContentRegionAvail().x, height}, {});
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const float y = (low.y + high.y) / 2;
+  drawCentred(fonts().icons, icon, {low.x + 18, y}, on ? Theme::kAccent : Theme::kText);
+  const float size = ImGui::GetFontSize();
+  list().AddText({low.x + 42, std::round(y - size / 2)}, Theme::kText, text);
+  const ImVec2 knob{high.x - 14, y};
+  list().AddRectFilled({knob.x - 26, y - 10}, {knob.x + 10, y + 10},
+                       on ? Theme::kAccent : IM_COL32(41, 46, 60, 70), 10);
+  list().AddCircleFilled({on ? knob.x : knob.x - 16, y}, 7.5f, IM_COL32_WHITE, 24);
+  return clicked;
+}
+
+SliderEvent slider(const char* id, float& value, float mark, float height) {
+  SliderEvent event;
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::InvisibleButton(id, {width, height});
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const float radius = 10;
+  const float from = low.x + radius, to = low.x + width - radius, y = low.y + height / 2;
+  if (ImGui::IsItemActive()) {
+    float wanted = std::clamp((ImGui::GetIO().MousePos.x - from) / (to - from), 0.0f, 1.0f);
+    if (std::abs(wanted - mark) * (to - from) < 4) wanted = mark;
+    event.changed = wanted != value;
+    value = wanted;
+  }
+  event.released = ImGui::IsItemDeactivated();
+  const float x = from + (to - from) * value;
+  const float mark_x = from + (to - from) * mark;
+  list().AddRectFilled({from - 2, y - 2}, {to + 2, y + 2}, Theme::kTrack, 2);
+  list().AddRectFilled({std::min(x, mark_x), y - 2}, {std::max(x, mark_x), y + 2}, Theme::kAccent,
+                       2);
+  list().AddCircleFilled({mark_x, y}, 3.5f, Theme::kSoftText, 16);
+  list().AddCircleFilled({x, y + 1}, radius, IM_COL32(40, 36, 60, 40), 32);
+  list().AddCircleFilled({x, y}, radius - 1, IM_COL32_WHITE, 32);
+  list().AddCircle(
+      {x, y}, radius - 1,
+      ImGui::IsItemHovered() || ImGui::IsItemActive() ? Theme::kAccent : Theme::kSoftText, 32,
+      1.5f);
+  return event;
+}
+
+bool swatch(const char* id, Color color, bool chosen, float side) {
+  const bool clicked = ImGui::InvisibleButton(id, {side, side});
+  const ImVec2 at = middle(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  const float radius = side / 2 - 6;
+  list().AddCircleFilled(at, radius, IM_COL32(color.r, color.g, color.b, 255), 32);
+  list().AddCircle(at, radius, IM_COL32(41, 46, 60, 60), 32, 1);
+  if (chosen) list().AddCircle(at, radius + 3.5f, Theme::kAccent, 32, 2);
+  if (ImGui::IsItemHovered() && !chosen) list().AddCircle(at, radius + 3.5f, Theme::kTrack, 32, 2);
+  return clicked;
+}
+
+void heading(const char* text) {
+  ImGui::PushFont(fonts().bold);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+}
+
+void softText(const char* text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, Theme::kSoftText);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+void tooltipForLastItem(const char* text) {
+  if (!*text || !ImGui::IsItemHovered()) return;
+  if (GImGui->HoveredIdTimer < kTooltipDelay_s) return;
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 padding{10, 7};
+  const ImVec2 extent = ImGui::CalcTextSize(text, nullptr, false, kTooltipWidth);
+  const ImVec2 size{extent.x + 2 * padding.x, extent.y + 2 * padding.y};
+  const bool above = high.y + size.y + 10 > screen.y;
+  const float x =
+      std::clamp((low.x + high.x - size.x) / 2, 6.0f, std::max(6.0f, screen.x - size.x - 6));
+  const ImVec2 at{std::round(x), std::round(above ? low.y - size.y - 8 : high.y + 8)};
+  ImDrawList& front = *ImGui::GetForegroundDrawList();
+  front.AddRectFilled(at, {at.x + size.x, at.y + size.y}, Theme::kTooltip, 8);
+  front.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + padding.x, at.y + padding.y},
+                Theme::kTooltipText, text, nullptr, kTooltipWidth);
+}
+
+bool tooltipIsDue() {
+  return GImGui->HoveredId != 0 && GImGui->HoveredIdTimer < kTooltipDelay_s + 0.05f;
+}
+
+}  // namespace marrow

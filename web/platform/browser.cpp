@@ -1,0 +1,152 @@
+// The app in a browser: a WebGL 2 context, and the functions that platform/browser.js calls. This
+// file and browser.js are the only ones that know Emscripten.
+#include <emscripten.h>
+#include <emscripten/html5.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "io/document_json.h"
+#include "io/json.h"
+#include "platform/key_names.h"
+#include "render/presenter.h"
+#include "report.h"
+
+namespace marrow {
+namespace {
+
+double now_ms() { return emscripten_performance_now(); }
+
+/// Everything alive in the page; lives as long as it does.
+struct Page {
+  App app{now_ms};
+  EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = 0;
+  std::unique_ptr<Presenter> presenter;  // none while the context is lost
+  std::string answer;                    // of the last call, until the next one
+};
+std::unique_ptr<Page> page;
+
+bool openContext() {
+  EmscriptenWebGLContextAttributes attributes;
+  emscripten_webgl_init_context_attributes(&attributes);
+  attributes.majorVersion = 2;
+  attributes.alpha = false;
+  attributes.depth = true;
+  attributes.antialias = true;
+  attributes.enableExtensionsByDefault = false;
+  page->context = emscripten_webgl_create_context("#canvas", &attributes);
+  if (page->context <= 0) return false;
+  emscripten_webgl_make_context_current(page->context);
+  page->presenter = std::make_unique<Presenter>();
+  const std::string log = page->presenter->log();
+  if (!log.empty()) emscripten_console_error(log.c_str());
+  return true;
+}
+
+std::string verdict(const Result<bool>& result) {
+  return toText(result ? Json{{"ok", true}} : Json{{"error", result.message()}});
+}
+
+std::string call(const std::string& name, const std::string& text) {
+  App& app = page->app;
+  if (name == "document") return writeDocument(app.document());
+  if (name == "load") return verdict(app.load(text));
+  if (name == "parts") return partsReport(app);
+  if (name == "stats") return statsReport(app);
+  if (name == "undo") return app.undo() ? "true" : "false";
+  if (name == "redo") return app.redo() ? "true" : "false";
+  if (name == "wantsText") return app.wantsText() ? "true" : "false";
+  if (name == "key") {
+    app.post(KeyEvent{keyNamed(text)});
+    return "true";
+  }
+  return "null";
+}
+
+}  // namespace
+}  // namespace marrow
+
+using marrow::page;
+
+extern "C" {
+
+/// Milliseconds until the next frame is needed; 0: at once, −1: not before something happens.
+EMSCRIPTEN_KEEPALIVE double marrow_frame() {
+  const marrow::App::FrameResult result = page->app.frame(marrow::now_ms());
+  if (result.draw && page->presenter) page->presenter->draw(page->app);
+  if (result.again) return 0;
+  return std::isfinite(result.wake_after_ms) ? std::fmax(result.wake_after_ms, 1) : -1;
+}
+
+EMSCRIPTEN_KEEPALIVE void marrow_resize(double width, double height, double dpr) {
+  page->app.resize({width, height}, dpr);
+}
+
+/// type, kind and button: numbers of the enums in input.h.
+EMSCRIPTEN_KEEPALIVE void marrow_pointer(int type, int kind, int id, int button, double x, double y,
+                                         double pressure, double time_ms, int alt) {
+  marrow::PointerEvent event;
+  event.type = static_cast<marrow::PointerEvent::Type>(type);
+  event.kind = static_cast<marrow::PointerKind>(kind);
+  event.id = id;
+  event.button = static_cast<marrow::Button>(button);
+  event.position_px = {x, y};
+  event.pressure = pressure;
+  event.time_ms = time_ms;
+  event.alt = alt != 0;
+  page->app.post(event);
+}
+
+EMSCRIPTEN_KEEPALIVE void marrow_wheel(double x, double y, double zoom, double pan_x,
+                                       double pan_y) {
+  page->app.post(marrow::WheelEvent{{x, y}, zoom, {pan_x, pan_y}});
+}
+
+EMSCRIPTEN_KEEPALIVE void marrow_text(int character) {
+  page->app.post(marrow::TextEvent{static_cast<char32_t>(character)});
+}
+
+/// The WebGL context was lost, or is back.
+EMSCRIPTEN_KEEPALIVE void marrow_context(int alive) {
+  page->presenter.reset();
+  if (!alive) return;
+  page->presenter = std::make_unique<marrow::Presenter>();
+  page->app.redraw();
+}
+
+/// A slice of the warm-up; 1 when it is done.
+EMSCRIPTEN_KEEPALIVE int marrow_warm(double budget_ms) {
+  page->app.warmUp().slice(budget_ms, marrow::now_ms);
+  return page->app.warmUp().done() ? 1 : 0;
+}
+
+/// name: what to do, text: with what. The answer is JSON, valid until the next call.
+EMSCRIPTEN_KEEPALIVE const char* marrow_call(const char* name, const char* text) {
+  page->answer = marrow::call(name, text);
+  return page->answer.c_str();
+}
+
+/// Addresses and lengths of a part's mesh: positions, normals (double), triangles (uint32), vertex
+/// count, triangle count; null where there is none.
+EMSCRIPTEN_KEEPALIVE const uint32_t* marrow_mesh(int index) {
+  static uint32_t table[5];
+  const auto& parts = page->app.parts();
+  if (index < 0 || static_cast<size_t>(index) >= parts.size()) return nullptr;
+  const auto& part = parts[static_cast<size_t>(index)].part;
+  if (!part) return nullptr;
+  table[0] = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(part->mesh.positions.data()));
+  table[1] = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(part->normals.data()));
+  table[2] = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(part->mesh.triangles.data()));
+  table[3] = static_cast<uint32_t>(part->mesh.positions.size());
+  table[4] = static_cast<uint32_t>(part->mesh.triangles.size());
+  return table;
+}
+
+}  // extern "C"
+
+int main() {
+  page = std::make_unique<marrow::Page>();
+  return marrow::openContext() ? 0 : 1;
+}

@@ -1,0 +1,191 @@
+// What the page does for the app: pointers, wheel, keys, size, a lost context, the frame loop, and
+// window.marrow. Linked into marrow.js; holds no state of the app.
+Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
+  const canvas = Module['canvas'];
+  const kinds = {mouse: 0, touch: 1, pen: 2};
+  const types = {down: 0, move: 1, up: 2, cancel: 3, leave: 4};
+  const call = (name, text = '') => {
+    const pointers = [stringToNewUTF8(name), stringToNewUTF8(text)];
+    const answer = UTF8ToString(_marrow_call(pointers[0], pointers[1]));
+    pointers.forEach(_free);
+    return JSON.parse(answer);
+  };
+
+  // Frames: only when something happened or the app asked for one.
+  let scheduled = false, timer = 0, contextLosses = 0, contextAlive = true;
+  function frame() {
+    scheduled = false;
+    clearTimeout(timer);
+    if (!contextAlive) return;
+    const wait = _marrow_frame();
+    if (wait === 0) wake();
+    if (wait > 0) timer = setTimeout(wake, wait);
+    syncTextField();
+  }
+  function wake() {
+    if (scheduled) return;
+    scheduled = true;
+    requestAnimationFrame(frame);
+  }
+
+  // Pointers. A pointer that is held belongs to the canvas until it goes up.
+  const held = new Set();
+  function send(type, event, button = 0) {
+    const box = canvas.getBoundingClientRect();
+    _marrow_pointer(types[type], kinds[event.pointerType] ?? 0, event.pointerId, button,
+                    event.clientX - box.left, event.clientY - box.top, event.pressure,
+                    event.timeStamp, event.altKey ? 1 : 0);
+  }
+  function release(type, event) {
+    if (!held.delete(event.pointerId)) return;
+    send(type, event, event.button === 2 ? 2 : event.button === 1 ? 1 : 0);
+    wake();
+  }
+  canvas.addEventListener('pointerdown', (event) => {
+    event.preventDefault();
+    if (document.activeElement !== textField) canvas.focus({preventScroll: true});
+    try { canvas.setPointerCapture(event.pointerId); } catch { /* already gone */ }
+    held.add(event.pointerId);
+    send('down', event, event.button === 2 ? 2 : event.button === 1 ? 1 : 0);
+    wake();
+  });
+  canvas.addEventListener('pointermove', (event) => {
+    const samples = event.getCoalescedEvents ? event.getCoalescedEvents() : [];
+    for (const sample of samples.length ? samples : [event]) send('move', sample);
+    wake();
+  });
+  canvas.addEventListener('pointerup', (event) => release('up', event));
+  canvas.addEventListener('pointercancel', (event) => release('cancel', event));
+  canvas.addEventListener('lostpointercapture', (event) => release('cancel', event));
+  canvas.addEventListener('pointerleave', (event) => {
+    if (held.has(event.pointerId)) return;
+    send('leave', event);
+    wake();
+  });
+
+  // Nothing scrolls, zooms or opens a menu under a drawing hand.
+  for (const type of ['touchstart', 'touchmove', 'touchend', 'gesturestart', 'gesturechange',
+                      'contextmenu', 'dragstart', 'selectstart']) {
+    canvas.addEventListener(type, (event) => event.preventDefault(), {passive: false});
+  }
+  canvas.addEventListener('wheel', (event) => {
+    event.preventDefault();
+    const box = canvas.getBoundingClientRect();
+    const unit = event.deltaMode === 1 ? 33 : event.deltaMode === 2 ? 400 : 1;
+    const [dx, dy] = [event.deltaX * unit, event.deltaY * unit];
+    // A trackpad pinches with Ctrl set; two fingers that drag on it also move sideways.
+    const pans = !event.ctrlKey && dx !== 0;
+    const zoom = pans ? 0 : -dy * (event.ctrlKey ? 0.01 : 0.0016);
+    _marrow_wheel(event.clientX - box.left, event.clientY - box.top, zoom, pans ? -dx : 0,
+                  pans ? -dy : 0);
+    wake();
+  }, {passive: false});
+
+  // Keys. Letters by what they write, or by their place on keyboards of other scripts.
+  const plainKeys = {
+    x: 'remove', 1: 'front', 3: 'right', 7: 'top', f: 'frameAll', '?': 'help', escape: 'escape',
+    delete: 'deleteForward', backspace: 'backspace', enter: 'enter', arrowleft: 'leftArrow',
+    arrowright: 'rightArrow', home: 'home', end: 'end',
+  };
+  function keyName(event) {
+    const latin = event.key.length > 1 || event.key.charCodeAt(0) < 128;
+    const key = latin ? event.key.toLowerCase() : event.code.replace(/^Key/, '').toLowerCase();
+    if (event.ctrlKey || event.metaKey) {
+      if (key === 'z') return event.shiftKey ? 'redo' : 'undo';
+      return key === 'y' ? 'redo' : key === 'a' ? 'selectAll' : undefined;
+    }
+    return event.altKey ? undefined : plainKeys[key];
+  }
+  window.addEventListener('keydown', (event) => {
+    const {target} = event;
+    if (target !== textField && target !== canvas && target !== document.body) return;
+    const name = keyName(event);
+    if (!name) return;
+    if (target !== textField || !/^.$/u.test(event.key) || event.ctrlKey || event.metaKey) {
+      event.preventDefault();
+    }
+    call('key', name);
+    wake();
+  });
+
+  // Text goes through a real field that nobody sees, so that phones show their keyboard.
+  const textField = document.createElement('input');
+  textField.setAttribute('aria-hidden', 'true');
+  textField.tabIndex = -1;
+  textField.style.cssText = 'position:fixed;left:0;top:0;width:1px;height:1px;opacity:0;border:0;' +
+      'padding:0;font-size:16px;pointer-events:none';
+  canvas.parentNode.appendChild(textField);
+  textField.addEventListener('input', () => {
+    for (const character of textField.value) _marrow_text(character.codePointAt(0));
+    textField.value = '';
+    wake();
+  });
+  function syncTextField() {
+    const wanted = call('wantsText'), has = document.activeElement === textField;
+    if (wanted && !has) textField.focus({preventScroll: true});
+    if (!wanted && has) canvas.focus({preventScroll: true});
+  }
+
+  // Size: exact device pixels where the browser tells them.
+  function resize(entry) {
+    const box = canvas.getBoundingClientRect();
+    const exact = entry && entry.devicePixelContentBoxSize && entry.devicePixelContentBoxSize[0];
+    const width = exact ? exact.inlineSize : Math.round(box.width * devicePixelRatio);
+    const height = exact ? exact.blockSize : Math.round(box.height * devicePixelRatio);
+    if (!width || !height) return;
+    canvas.width = width;
+    canvas.height = height;
+    _marrow_resize(box.width, box.height, width / box.width);
+    frame();
+  }
+  const observer = new ResizeObserver((entries) => resize(entries[0]));
+  try {
+    observer.observe(canvas, {box: 'device-pixel-content-box'});
+  } catch {
+    observer.observe(canvas);
+  }
+  resize();
+
+  canvas.addEventListener('webglcontextlost', (event) => {
+    event.preventDefault();
+    ++contextLosses;
+    contextAlive = false;
+    _marrow_context(0);
+  });
+  canvas.addEventListener('webglcontextrestored', () => {
+    contextAlive = true;
+    _marrow_context(1);
+    frame();
+  });
+
+  // Slices between which the page can do what it has to.
+  const slices = new MessageChannel();
+  slices.port1.onmessage = () => {
+    if (!_marrow_warm(6)) setTimeout(() => slices.port2.postMessage(0), 0);
+  };
+  slices.port2.postMessage(0);
+
+  Object.assign(window.marrow, {
+    document: () => call('document'),
+    async load(json) {
+      const answer = call('load', typeof json === 'string' ? json : JSON.stringify(json));
+      wake();
+      if (answer.error) throw new Error(answer.error);
+    },
+    parts: () => call('parts'),
+    mesh(index) {
+      const table = _marrow_mesh(index) >> 2;
+      if (!table) return null;
+      const [positions, normals, triangles, vertices, faces] = HEAPU32.slice(table, table + 5);
+      return {
+        positions: HEAPF64.slice(positions >> 3, (positions >> 3) + 3 * vertices),
+        normals: HEAPF64.slice(normals >> 3, (normals >> 3) + 3 * vertices),
+        triangles: HEAPU32.slice(triangles >> 2, (triangles >> 2) + 3 * faces),
+      };
+    },
+    undo() { const done = call('undo'); wake(); return done; },
+    redo() { const done = call('redo'); wake(); return done; },
+    stats: () => Object.assign(call('stats'), {idle: !scheduled, contextLosses}),
+  });
+  Module['onReady'] && Module['onReady']();
+});

@@ -1,0 +1,40 @@
+#include "platform/options.h"
+
+#include <cstdio>
+
+namespace marrow {
+
+const char* const kDesktopUsage =
+    "marrow-app [--size WIDTHxHEIGHT] [--play STROKE.json]… [--screenshot OUT.png] [--dump "
+    "OUT.json]\n"
+    "  --play        draws a stroke as a pointer would\n"
+    "  --screenshot  writes what is shown, then ends\n"
+    "  --dump        writes the parts as JSON, then ends\n";
+
+Result<DesktopOptions> readOptions(int count, char** arguments) {
+  DesktopOptions options;
+  for (int i = 1; i < count; ++i) {
+    const std::string name = arguments[i];
+    if (name == "--help") {
+      options.help = true;
+      return options;
+    }
+    const bool known =
+        name == "--size" || name == "--play" || name == "--screenshot" || name == "--dump";
+    if (!known) return {Status::unreadable, "There is no option " + name + "."};
+    if (i + 1 == count) return {Status::unreadable, name + " needs a value."};
+    const std::string value = arguments[++i];
+    if (name == "--play") options.strokes.push_back(value);
+    if (name == "--screenshot") options.screenshot = value;
+    if (name == "--dump") options.dump = value;
+    if (name == "--size") {
+      const bool ok = std::sscanf(value.c_str(), "%dx%d", &options.width, &options.height) == 2 &&
+                      options.width >= 100 && options.height >= 100 && options.width <= 16384 &&
+                      options.height <= 16384;
+      if (!ok) return {Status::unreadable, "--size wants WIDTHxHEIGHT, such as 1280x800."};
+    }
+  }
+  return options;
+}
+
+}  // namespace marrow

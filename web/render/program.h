@@ -1,0 +1,39 @@
+// A linked pair of shaders from shaders/.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "render/gl.h"
+#include "render/scene.h"
+
+namespace marrow {
+
+class Program {
+ public:
+  /// Names of files in shaders/, such as "part.vert". A shader that does not compile is our own
+  /// mistake: the program then draws nothing and `log()` says why.
+  Program(const char* vertex_file, const char* fragment_file);
+
+  void use() const { glUseProgram(program_.name()); }
+  const std::string& log() const { return log_; }
+
+  // The program must be in use; a name it does not have is ignored.
+  void set(const char* uniform, int value) const;
+  void set(const char* uniform, float value) const;
+  void set(const char* uniform, float x, float y) const;
+  void set(const char* uniform, Float3 value) const;
+  void set(const char* uniform, float x, float y, float z, float w) const;
+  void set(const char* uniform, Rgba value) const;
+  void setRotation(const char* uniform, const std::array<Vec3, 3>& rows) const;
+
+ private:
+  GLint location(const char* uniform) const {
+    return glGetUniformLocation(program_.name(), uniform);
+  }
+
+  GlProgram program_;
+  std::string log_;
+};
+
+}  // namespace marrow

@@ -1,0 +1,76 @@
+// What one frame shows, as plain data: made by buildScene, drawn by the Renderer. Coordinates are
+// relative to the camera's target, so that float is precise enough wherever the model lies.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "camera.h"
+#include "part/part.h"
+
+namespace marrow {
+
+struct Float3 {
+  float x = 0, y = 0, z = 0;
+};
+
+struct Rgba {
+  float r = 0, g = 0, b = 0, a = 1;
+};
+
+struct Scene {
+  /// A part's mesh; the GPU keeps it under its id.
+  struct Body {
+    uint64_t mesh_id = 0;
+    std::shared_ptr<const Part> part;
+    Rgba color;
+    bool selected = false;
+    bool transient = false;  // the live preview: another mesh in a moment
+  };
+  /// A line with round ends, as wide on the screen as it says.
+  struct Segment {
+    Float3 a, b;
+    float width_px = 1;
+    Rgba color;
+  };
+  struct Bone {
+    Float3 head, tail;
+    float radius = 0;  // model units
+    Rgba color;
+  };
+  struct Ball {
+    Float3 center;
+    float radius = 0;  // model units
+    Rgba color;
+  };
+  /// Part of the cone that touches both balls.
+  struct Cone {
+    Float3 a, b;
+    float radius_a = 0, radius_b = 0;
+    Rgba color;
+  };
+
+  Camera camera;
+  ViewSize size;
+  double dpr = 1;
+  float depth = 1;  // nothing lies farther from the target, model units
+
+  bool show_mesh = true, show_wireframe = false, show_shadow = false;
+  Float3 low, high;  // box around the bodies
+  std::vector<Body> bodies;
+  std::vector<Segment> overlay;  // straight skeletons
+  std::vector<Ball> proxy_balls;
+  std::vector<Cone> proxy_cones;
+  std::vector<Bone> bones;
+  std::vector<Ball> joints;
+  std::vector<Segment> ink;  // in the view of `ink_camera`
+  Camera ink_camera;
+};
+
+/// Two scenes with the same fingerprint look the same.
+uint64_t fingerprint(const Scene& scene);
+/// The same for any bytes.
+uint64_t fingerprint(const void* data, size_t bytes, uint64_t seed);
+
+}  // namespace marrow

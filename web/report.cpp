@@ -1,0 +1,119 @@
+#include "report.h"
+
+#include <cmath>
+
+#include "io/json.h"
+
+namespace marrow {
+namespace {
+
+Json toJson(const Timings& timings) {
+  Json json = Json::object();
+  for (const auto& [stage, ms] : timings.stages_ms) json[stage] = ms;
+  json["total"] = timings.total_ms;
+  return json;
+}
+
+Json toJson(const Part& part) {
+  Json json;
+  json["joints"] = Json::array();
+  for (const PartSkeleton::Joint& joint : part.skeleton.joints) {
+    json["joints"].push_back({{"kind", toString(joint.kind)},
+                              {"position", {joint.position.x, joint.position.y, 0}},
+                              {"radius", joint.radius}});
+  }
+  json["bones"] = part.skeleton.bones;
+  json["mesh"] = {{"vertices", part.mesh.positions.size()},
+                  {"triangles", part.mesh.triangles.size()}};
+  json["timings"] = toJson(part.timings);
+  json["straightSkeleton"] = {{"method", toString(part.straight_skeleton.method)},
+                              {"nodes", part.straight_skeleton.nodes.size()},
+                              {"edges", part.straight_skeleton.edges.size()}};
+  return json;
+}
+
+Json cameraJson(const UiState& ui) {
+  const Camera& camera = ui.camera;
+  const auto view = standardView(camera);
+  Json json;
+  json["target"] = {camera.target.x, camera.target.y, camera.target.z};
+  json["yaw"] = camera.yaw_rad;
+  json["pitch"] = camera.pitch_rad;
+  json["zoom"] = camera.zoom;
+  json["view"] = view ? Json(toString(*view)) : Json(nullptr);
+  json["moving"] = ui.glide.running();
+  return json;
+}
+
+Json previewJson(const App& app) {
+  const PreviewMeter& meter = app.meter().preview;
+  const DrawTool& drawing = app.drawing();
+  Json json;
+  json["active"] = drawing.active() && drawing.isStroke();
+  json["points"] = drawing.active() ? drawing.points().size() : 0;
+  json["part"] = nullptr;
+  if (const auto& part = app.livePart().part) {
+    json["part"] = {{"joints", part->skeleton.joints.size()},
+                    {"bones", part->skeleton.bones.size()},
+                    {"vertices", part->mesh.positions.size()},
+                    {"triangles", part->mesh.triangles.size()},
+                    {"method", toString(part->straight_skeleton.method)},
+                    {"timings", toJson(part->timings)}};
+  }
+  json["error"] =
+      app.liveError().status == Status::ok ? Json(nullptr) : Json(app.liveError().message());
+  json["frames"] = meter.count();
+  json["firstMs"] = meter.first_ms();
+  json["lastMs"] = meter.last_ms();
+  json["maxMs"] = meter.max_ms();
+  json["medianMs"] = meter.median_ms();
+  json["veryFirstMs"] = app.meter().first_preview_ms;
+  return json;
+}
+
+}  // namespace
+
+std::string partsReport(const App& app) {
+  Json json = Json::array();
+  for (const EvaluatedPart& evaluated : app.parts()) {
+    Json part;
+    part["id"] = evaluated.source->id;
+    part["name"] = evaluated.source->name;
+    if (evaluated.part) {
+      part.update(toJson(*evaluated.part));
+    } else {
+      part["error"] = evaluated.error.message();
+    }
+    json.push_back(std::move(part));
+  }
+  return toText(json);
+}
+
+std::string statsReport(const App& app) {
+  const UiState& ui = app.ui();
+  Json json;
+  json["frames"] = app.framesDrawn();
+  json["dpr"] = ui.dpr;
+  json["canvas"] = {{"width", ui.size.width},
+                    {"height", ui.size.height},
+                    {"pixelWidth", std::lround(ui.size.width * ui.dpr)},
+                    {"pixelHeight", std::lround(ui.size.height * ui.dpr)}};
+  json["camera"] = cameraJson(ui);
+  json["selected"] = ui.selected.empty() ? Json(nullptr) : Json(ui.selected);
+  json["show"] = {{"mesh", ui.show.mesh},
+                  {"wireframe", ui.show.wireframe},
+                  {"bones", ui.show.bones},
+                  {"straightSkeleton", ui.show.straight_skeleton},
+                  {"proxy", ui.show.proxy}};
+  json["evaluation"] = {{"ms", app.meter().last_evaluation_ms},
+                        {"stages", toJson(app.meter().last_part)}};
+  json["preview"] = previewJson(app);
+  json["warm"] = {{"done", app.warmUp().done()},
+                  {"runs", app.warmUp().runs()},
+                  {"ms", app.warmUp().spent_ms()},
+                  {"longestStepMs", app.warmUp().longest_step_ms()}};
+  json["message"] = ui.toast ? Json(ui.toast->text) : Json(nullptr);
+  return toText(json);
+}
+
+}  // namespace marrow

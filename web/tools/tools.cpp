@@ -1,0 +1,179 @@
+#include "tools/tools.h"
+
+#include <algorithm>
+
+namespace marrow {
+namespace {
+
+// A stroke younger or shorter than this gives way to a second finger.
+constexpr double kStrokeIsYoung_ms = 250;
+constexpr double kStrokeIsShort_px = 40;
+// A hand rests on the glass while its pen is a little above it.
+constexpr double kPenIsNear_ms = 500;
+constexpr double kFrontEnough_rad = 1e-6;
+
+}  // namespace
+
+Tools::Outcome Tools::pointer(const PointerEvent& event, UiState& ui, const Surroundings& around) {
+  if (event.kind == PointerKind::pen) last_pen_ms_ = event.time_ms;
+  switch (event.type) {
+    case PointerEvent::Type::down:
+      return down(event, ui, around);
+    case PointerEvent::Type::move:
+      return move(event, ui, around);
+    case PointerEvent::Type::up:
+    case PointerEvent::Type::cancel:
+      return up(event, ui);
+    case PointerEvent::Type::leave:
+      break;
+  }
+  Outcome outcome;
+  outcome.to_panels = true;
+  return outcome;
+}
+
+void Tools::wheel(const WheelEvent& event, UiState& ui) {
+  if (draw_.active()) return;
+  ui.glide.stop();
+  NavigateTool::wheel(event, ui.camera, ui.size);
+}
+
+bool Tools::cancelStroke() {
+  const bool was_active = draw_.active();
+  if (was_active) owners_[draw_.pointer()] = Owner::nobody;
+  draw_.cancel();
+  return was_active;
+}
+
+bool Tools::penIsNear(double time_ms) const { return time_ms - last_pen_ms_ < kPenIsNear_ms; }
+
+Tools::Owner Tools::ownerOfTouch(const PointerEvent& event) {
+  if (penIsNear(event.time_ms)) return Owner::nobody;
+  if (draw_.active()) {
+    const bool just_begun = event.time_ms - draw_.started_ms() < kStrokeIsYoung_ms ||
+                            draw_.travelled_px() < kStrokeIsShort_px;
+    if (drawing_kind_ != PointerKind::touch || !just_begun) return Owner::nobody;
+    return Owner::navigate;
+  }
+  return navigate_.active() ? Owner::navigate : Owner::draw;
+}
+
+Tools::Outcome Tools::down(const PointerEvent& event, UiState& ui, const Surroundings& around) {
+  Outcome outcome;
+  ui.last_pointer = event.kind;
+  const bool panel_is_held = std::any_of(owners_.begin(), owners_.end(), [](const auto& entry) {
+    return entry.second == Owner::panel;
+  });
+  if (!draw_.active() && !navigate_.active() && around.panel_at(event.position_px)) {
+    owners_[event.id] = panel_is_held ? Owner::nobody : Owner::panel;
+    outcome.to_panels = !panel_is_held;
+    return outcome;
+  }
+  outcome.to_panels = false;
+  if (panel_is_held) {
+    owners_[event.id] = Owner::nobody;
+    return outcome;
+  }
+  Owner owner = Owner::draw;
+  NavigateTool::Mode mode = NavigateTool::Mode::fingers;
+  if (event.kind == PointerKind::touch) {
+    owner = ownerOfTouch(event);
+  } else if (event.button != Button::primary || event.alt) {
+    owner = draw_.active() ? Owner::nobody : Owner::navigate;
+    mode = event.button == Button::middle ? NavigateTool::Mode::pan : NavigateTool::Mode::orbit;
+  } else if (draw_.active() && drawing_kind_ != event.kind) {
+    cancelStroke();  // the hand came down before the pen
+  } else if (draw_.active()) {
+    owner = Owner::nobody;
+  }
+  owners_[event.id] = owner;
+  if (owner == Owner::draw) beginStroke(event, ui, around);
+  if (owner == Owner::navigate) {
+    if (draw_.active()) {
+      PointerEvent first = event;  // the finger that had begun to draw joins in from where it is
+      first.id = draw_.pointer();
+      first.position_px = draw_.last_px();
+      draw_.cancel();
+      ui.camera = camera_at_start_;
+      owners_[first.id] = Owner::navigate;
+      navigate_.add(first, mode);
+    }
+    ui.glide.stop();
+    navigate_.add(event, mode);
+  }
+  return outcome;
+}
+
+void Tools::beginStroke(const PointerEvent& event, UiState& ui, const Surroundings& around) {
+  for (auto& [pointer, owner] : owners_) {
+    if (owner == Owner::navigate) owner = Owner::nobody;
+  }
+  navigate_.clear();
+  camera_at_start_ = ui.glide.running() ? ui.glide.destination() : ui.camera;
+  Camera front = camera_at_start_;
+  if (front.angleFromFront() > kFrontEnough_rad) {
+    front = turnedTo(front, StandardView::front, around.pivot);
+  }
+  draw_.begin(event, front, ui.size);
+  drawing_kind_ = event.kind;
+}
+
+Tools::Outcome Tools::move(const PointerEvent& event, UiState& ui, const Surroundings& around) {
+  Outcome outcome;
+  const auto found = owners_.find(event.id);
+  if (found == owners_.end()) {  // hovering
+    outcome.to_panels = true;
+    return outcome;
+  }
+  switch (found->second) {
+    case Owner::panel:
+      outcome.to_panels = true;
+      break;
+    case Owner::draw: {
+      const bool was_stroke = draw_.isStroke();
+      draw_.move(event);
+      if (!was_stroke && draw_.isStroke() && ui.camera.angleFromFront() > kFrontEnough_rad) {
+        outcome.turns_to_front = true;
+        ui.glide.start(ui.camera, draw_.camera(), ui.now_ms);
+      } else if (!was_stroke && draw_.isStroke()) {
+        ui.glide.stop();
+        ui.camera = draw_.camera();
+      }
+      break;
+    }
+    case Owner::navigate:
+      navigate_.move(event, ui.camera, ui.size, around.pivot);
+      break;
+    case Owner::nobody:
+      break;
+  }
+  return outcome;
+}
+
+Tools::Outcome Tools::up(const PointerEvent& event, UiState& ui) {
+  Outcome outcome;
+  const auto found = owners_.find(event.id);
+  if (found == owners_.end()) {
+    outcome.to_panels = true;
+    return outcome;
+  }
+  const Owner owner = found->second;
+  owners_.erase(found);
+  outcome.to_panels = owner == Owner::panel;
+  // A finger left over from a gesture stays with the camera: it must not begin to draw.
+  if (owner == Owner::navigate) navigate_.remove(event.id);
+  if (owner != Owner::draw || !draw_.active()) return outcome;
+  if (event.type == PointerEvent::Type::cancel) {
+    draw_.cancel();
+    ui.glide.stop();
+    ui.camera = camera_at_start_;
+  } else if (draw_.isStroke()) {
+    outcome.command = draw_.end();
+  } else {
+    draw_.cancel();
+    outcome.click_px = event.position_px;
+  }
+  return outcome;
+}
+
+}  // namespace marrow
