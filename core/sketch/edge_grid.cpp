@@ -2,7 +2,8 @@
 
 namespace marrow {
 
-EdgeGrid::EdgeGrid(const std::vector<Vec2>& points, const std::vector<Edge>& edges) {
+EdgeGrid::EdgeGrid(const std::vector<Vec2>& points, const std::vector<Edge>& edges,
+                   double cells_per_edge) {
   Vec2 high;
   low_ = high = points.empty() ? Vec2{} : points[0];
   for (const Vec2& p : points) {
@@ -16,23 +17,27 @@ EdgeGrid::EdgeGrid(const std::vector<Vec2>& points, const std::vector<Edge>& edg
   const double count = std::max<double>(1, static_cast<double>(edges.size()));
   const double cell =
       std::max({std::sqrt(size.x) * std::sqrt(size.y) / std::sqrt(2 * count),
-                std::max(size.x, size.y) / (2 * count), total_length / (4 * count)});
+                std::max(size.x, size.y) / (2 * count), total_length / (cells_per_edge * count)});
   if (cell > 0) {
     per_cell_ = 1 / cell;
-    columns_ = static_cast<uint32_t>(size.x * per_cell_) + 1;
-    rows_ = static_cast<uint32_t>(size.y * per_cell_) + 1;
+    columns_ = static_cast<int>(size.x * per_cell_) + 1;
+    rows_ = static_cast<int>(size.y * per_cell_) + 1;
   }
 
   starts_.assign(cellCount() + 1, 0);
   for (const Edge& e : edges) {
-    forEachCell(points[e[0]], points[e[1]], [&](uint32_t cell_index) { ++starts_[cell_index]; });
+    walk(points[e[0]], points[e[1]], [&](uint32_t cell_index, double) {
+      ++starts_[cell_index];
+      return true;
+    });
   }
   uint32_t sum = 0;
   for (uint32_t& start : starts_) start = (sum += start);
   edges_.resize(sum);
   for (size_t i = edges.size(); i-- > 0;) {
-    forEachCell(points[edges[i][0]], points[edges[i][1]], [&](uint32_t cell_index) {
+    walk(points[edges[i][0]], points[edges[i][1]], [&](uint32_t cell_index, double) {
       edges_[--starts_[cell_index]] = static_cast<uint32_t>(i);
+      return true;
     });
   }
 }

@@ -10,6 +10,7 @@
 #include "sketch/resample.h"
 #include "sketch/simplify.h"
 #include "sketch/stroke_ends.h"
+#include "sketch/tidy.h"
 #include "sketch/untangle.h"
 
 namespace marrow {
@@ -23,23 +24,29 @@ constexpr double kThinnest = 1e-7;
 // cluster of samples can then make the search for crossings slow.
 constexpr size_t kManySamples = 4096;
 constexpr int kCoarseBits = 16;
+constexpr size_t kMostWork = 10000000;  // edges looked at on the way around
+constexpr int kCoarserBits = 3;
+constexpr int kCoarsestBits = 10;
 
-constexpr double kStepsAcross = 48;   // at least, over the diagonal of the shape's box
+constexpr double kStepsAcross = 40;   // at least, over the shape's diameter
 constexpr double kMostFiner = 8;      // × OutlineOptions::samples, for thin shapes
 constexpr double kPixelsPerStep = 4;  // at least, where samples lie on whole pixels
 constexpr int kStepHalvings = 4;
 constexpr double kToleranceByWidth = 0.15;     // × the shape's mean width, at most
-constexpr double kToleranceAcross = 1 / 150.;  // × the diagonal of the shape's box, at most
+constexpr double kToleranceAcross = 1 / 130.;  // × the shape's diameter, at most
 constexpr double kToleranceByPixel = 0.75;
 constexpr int kToleranceCuts = 24;
 constexpr double kToleranceCut = 0.7;
-constexpr double kSpikeBySteps = 0.1;   // thinner spikes than this go,
+// More than this are the frays of a scribble: the tolerance grows while the shape bears it.
+constexpr size_t kManyVertices = 250;
+constexpr int kCoarserRounds = 8;
+constexpr double kOnLine = 1e-9;        // × the shape's diameter
+constexpr double kSpikeBySteps = 0.04;  // thinner spikes than this go,
 constexpr double kSpikeByWidth = 0.05;  // if they are that thin beside the shape as well
 
 struct Box {
   Vec2 low, high;
   Vec2 size() const { return high - low; }
-  double diagonal() const { return length(size()); }
 };
 
 Box boxOf(const std::vector<Vec2>& points) {
@@ -108,14 +115,27 @@ std::vector<Vec2> unsnapped(std::vector<Vec2> lattice, int bits) {
   return lattice;
 }
 
+/// About the largest distance of two points, however the shape is turned.
+double diameterOf(const std::vector<Vec2>& loop) {
+  const auto farthest = [&](Vec2 from) {
+    Vec2 best = loop[0];
+    for (const Vec2& p : loop) {
+      if (distance(p, from) > distance(best, from)) best = p;
+    }
+    return best;
+  };
+  const Vec2 a = farthest(areaCentroid(loop)), b = farthest(a);
+  return distance(b, farthest(b));
+}
+
 /// Twice the area over the perimeter: the width of a long strip, the radius of a disc.
 double meanWidth(const std::vector<Vec2>& loop) {
   return 2 * std::fabs(signedArea(loop)) / perimeter(loop);
 }
 
 bool isThin(const std::vector<Vec2>& loop) {
-  const double diagonal = boxOf(loop).diagonal();
-  return !(std::fabs(signedArea(loop)) > kThinnest * diagonal * diagonal);
+  const double diameter = diameterOf(loop);
+  return !(std::fabs(signedArea(loop)) > kThinnest * diameter * diameter);
 }
 
 /// The side of the pixels on whose corners all samples lie, or 0 where the samples are not dense
@@ -143,65 +163,6 @@ double pixelSize(const std::vector<Vec2>& stroke) {
   return pixel;
 }
 
-/// Takes back what a pen drew forth and back over nearly the same line: tips of spikes, down to
-/// where the two sides are `thin` apart.
-std::vector<Vec2> withoutSpikes(const std::vector<Vec2>& loop, double thin) {
-  const auto isTip = [thin](Vec2 a, Vec2 b, Vec2 c) {
-    return dot(b - a, c - b) < 0 &&
-           (distanceToSegment(a, b, c) <= thin || distanceToSegment(b, c, a) <= thin);
-  };
-  std::vector<Vec2> kept;
-  for (const Vec2& p : loop) {
-    while (kept.size() > 1 && isTip(kept[kept.size() - 2], kept.back(), p)) kept.pop_back();
-    if (kept.empty() || kept.back() != p) kept.push_back(p);
-  }
-  size_t first = 0;
-  while (kept.size() - first > 3) {
-    const size_t last = kept.size() - 1;
-    if (isTip(kept[last - 1], kept[last], kept[first])) {
-      kept.pop_back();
-    } else if (isTip(kept[last], kept[first], kept[first + 1])) {
-      ++first;
-    } else {
-      break;
-    }
-  }
-  kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(first));
-  return kept;
-}
-
-/// Without the vertices that lie on the line between their neighbours, numerically.
-std::vector<Vec2> withoutCollinear(const std::vector<Vec2>& loop, double diagonal) {
-  constexpr double kOnLine = 1e-9;
-  std::vector<Vec2> kept;
-  const size_t n = loop.size();
-  for (size_t i = 0; i < n; ++i) {
-    const Vec2 before = kept.empty() ? loop[n - 1] : kept.back();
-    const Vec2 after = i + 1 < n ? loop[i + 1] : (kept.empty() ? loop[0] : kept[0]);
-    if (distanceToSegment(before, after, loop[i]) > kOnLine * diagonal) kept.push_back(loop[i]);
-  }
-  return kept;
-}
-
-std::vector<Vec2> convexHull(std::vector<Vec2> points) {
-  std::sort(points.begin(), points.end(),
-            [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  std::vector<Vec2> hull;
-  for (const int half : {0, 1}) {
-    const size_t base = hull.size();
-    for (const Vec2& p : points) {
-      while (hull.size() >= base + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) {
-        hull.pop_back();
-      }
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    if (half == 0) std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
-
 struct Loop {
   std::vector<Vec2> points;  // counter-clockwise, local frame
   bool crossed_itself = false;
@@ -209,16 +170,24 @@ struct Loop {
 
 Loop closedLoop(const std::vector<Vec2>& stroke) {
   const bool many = stroke.size() > kManySamples;
-  const int bits = many ? kCoarseBits : kLatticeBits;
+  int bits = many ? kCoarseBits : kLatticeBits;
   std::vector<Vec2> lattice = snapped(stroke, bits);
   dropRepeats(lattice);
   Loop loop;
   loop.crossed_itself = !isSimple(lattice);
-  if (loop.crossed_itself) {
-    loop.points = unsnapped(outerBoundary(lattice), bits);
-  } else {
+  if (!loop.crossed_itself) {
     loop.points = many ? unsnapped(std::move(lattice), bits) : stroke;
     if (signedArea(loop.points) < 0) std::reverse(loop.points.begin(), loop.points.end());
+  } else {
+    // Where no work suffices, a coarser lattice leaves fewer different edges.
+    auto outer = outerBoundary(lattice, kMostWork);
+    while (!outer) {
+      bits = std::min(bits, kCoarseBits) - kCoarserBits;
+      lattice = snapped(stroke, bits);
+      dropRepeats(lattice);
+      outer = outerBoundary(lattice, bits > kCoarsestBits ? kMostWork : SIZE_MAX);
+    }
+    loop.points = unsnapped(std::move(*outer), bits);
   }
   dropRepeats(loop.points);
   return loop;
@@ -232,7 +201,7 @@ bool isGood(const std::vector<Vec2>& polygon) {
 struct Source {
   std::vector<Vec2> loop;  // local frame
   Frame frame;
-  double diagonal, step, tolerance;
+  double diameter, step, tolerance;
 };
 
 struct LocalAndModel {
@@ -251,7 +220,7 @@ LocalAndModel makeDense(const Source& source) {
     } else {
       dense.local = convexHull(source.loop);
     }
-    dense.local = withoutCollinear(dense.local, source.diagonal);
+    dense.local = withoutCollinear(dense.local, kOnLine * source.diameter);
     dense.model = source.frame.toModel(dense.local);
     if (isGood(dense.model)) return dense;
   }
@@ -259,13 +228,25 @@ LocalAndModel makeDense(const Source& source) {
 }
 
 std::vector<Vec2> makePolygon(const Source& source, const LocalAndModel& dense) {
-  double tolerance = source.tolerance;
-  for (int cut = 0; cut < kToleranceCuts; ++cut, tolerance *= kToleranceCut) {
+  const auto at = [&](double tolerance) {
     std::vector<Vec2> polygon;
     for (const uint32_t i : simplify(dense.local, tolerance)) polygon.push_back(dense.model[i]);
-    if (isGood(polygon)) return polygon;
+    return isGood(polygon) ? polygon : std::vector<Vec2>{};
+  };
+  double tolerance = source.tolerance;
+  std::vector<Vec2> polygon = at(tolerance);
+  for (int cut = 0; polygon.empty() && cut < kToleranceCuts; ++cut) {
+    tolerance *= kToleranceCut;
+    polygon = at(tolerance);
   }
-  return dense.model;
+  if (polygon.empty()) return dense.model;
+  for (int round = 0; polygon.size() > kManyVertices && round < kCoarserRounds; ++round) {
+    tolerance /= kToleranceCut;
+    std::vector<Vec2> coarser = at(tolerance);
+    if (coarser.empty()) break;
+    polygon = std::move(coarser);
+  }
+  return polygon;
 }
 
 }  // namespace
@@ -296,17 +277,17 @@ Result<Outline> makeOutline(const std::vector<Vec2>& stroke, const OutlineOption
     width = meanWidth(loop.points);
   }
 
-  const double diagonal = boxOf(loop.points).diagonal();
+  const double diameter = diameterOf(loop.points);
   const double even_step = length_of_loop / samples;
   const double step = std::max(
       std::min(kPixelsPerStep * pixel, length_of_loop / 40),
-      std::min({even_step, diagonal / kStepsAcross, std::max(width, even_step / kMostFiner)}));
+      std::min({even_step, diameter / kStepsAcross, std::max(width, even_step / kMostFiner)}));
   const double tolerance =
       std::max(std::min(kToleranceByPixel * pixel, length_of_loop / 400),
                std::min({options.tolerance * length_of_loop / kReferencePerimeter,
-                         kToleranceByWidth * width, kToleranceAcross * diagonal}));
+                         kToleranceByWidth * width, kToleranceAcross * diameter}));
 
-  const Source source{std::move(loop.points), frame, diagonal, step, tolerance};
+  const Source source{std::move(loop.points), frame, diameter, step, tolerance};
   LocalAndModel dense = makeDense(source);
   if (dense.model.empty()) return Status::noArea;
   Outline outline;

@@ -14,7 +14,7 @@ constexpr double kReferencePerimeter = 2000;
 
 struct OutlineOptions {
   int samples = 200;       // resampling step = perimeter ÷ samples [RS Fig. 19]
-  double tolerance = 2.5;  // Douglas–Peucker for `polygon`, units at the reference perimeter
+  double tolerance = 3.0;  // Douglas–Peucker for `polygon`, units at the reference perimeter
 };
 
 struct Outline {

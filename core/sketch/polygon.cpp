@@ -47,6 +47,20 @@ double perimeter(const std::vector<Vec2>& polygon) {
   return sum;
 }
 
+Vec2 areaCentroid(const std::vector<Vec2>& polygon) {
+  if (polygon.empty()) return {};
+  const Vec2 origin = polygon[0];
+  Vec2 sum;
+  double doubled = 0;
+  for (size_t i = 1; i + 1 < polygon.size(); ++i) {
+    const Vec2 a = polygon[i] - origin, b = polygon[i + 1] - origin;
+    const double area = cross(a, b);
+    sum = sum + (a + b) * area;
+    doubled += area;
+  }
+  return doubled != 0 ? origin + sum / (3 * doubled) : origin;
+}
+
 bool isSimple(const std::vector<Vec2>& polygon) {
   const auto n = static_cast<uint32_t>(polygon.size());
   if (n < 3) return false;

@@ -10,6 +10,8 @@ namespace marrow {
 /// Positive for counter-clockwise, square model units.
 double signedArea(const std::vector<Vec2>& polygon);
 double perimeter(const std::vector<Vec2>& polygon);
+/// The centre of gravity of the area; the first vertex where there is no area.
+Vec2 areaCentroid(const std::vector<Vec2>& polygon);
 /// No two edges touch, but for neighbours at their common vertex. Exact; O(n) in practice.
 bool isSimple(const std::vector<Vec2>& polygon);
 /// Strictly inside by the even-odd rule; points on the border may go either way. O(n).

@@ -61,19 +61,6 @@ std::vector<size_t> findCorners(const ArcCurve& curve, double step) {
   return corners;
 }
 
-Vec2 areaCentroid(const std::vector<Vec2>& polygon) {
-  const Vec2 origin = polygon[0];
-  Vec2 sum;
-  double doubled = 0;
-  for (size_t i = 1; i + 1 < polygon.size(); ++i) {
-    const Vec2 a = polygon[i] - origin, b = polygon[i + 1] - origin;
-    const double area = cross(a, b);
-    sum = sum + (a + b) * area;
-    doubled += area;
-  }
-  return doubled != 0 ? origin + sum / (3 * doubled) : origin;
-}
-
 size_t farthestFrom(const std::vector<Vec2>& points, Vec2 from) {
   size_t best = 0;
   for (size_t i = 1; i < points.size(); ++i) {

@@ -32,12 +32,7 @@ uint32_t farthestFrom(const std::vector<Vec2>& polygon, Vec2 from) {
 }
 
 std::pair<uint32_t, uint32_t> mutuallyFarthest(const std::vector<Vec2>& polygon) {
-  Vec2 low = polygon[0], high = polygon[0];
-  for (const Vec2& p : polygon) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  uint32_t a = farthestFrom(polygon, (low + high) / 2), b = farthestFrom(polygon, polygon[a]);
+  uint32_t a = farthestFrom(polygon, areaCentroid(polygon)), b = farthestFrom(polygon, polygon[a]);
   constexpr int kMostRounds = 8;
   for (int round = 0; round < kMostRounds; ++round) {
     const uint32_t back = farthestFrom(polygon, polygon[b]);

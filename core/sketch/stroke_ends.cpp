@@ -2,72 +2,141 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace marrow {
 namespace {
 
-constexpr double kLongestTail = 0.12;  // of the stroke's length, either end
-constexpr size_t kMostCandidates = 64;
-constexpr double kMuchCloser = 0.4;  // × the gap between the ends
-constexpr double kCutCost = 0.6;     // gap that must be saved for each unit cut off
-// A gap this many samples wide is the pen's, not the distance of two samples.
-constexpr double kWideGap = 2.5;
+// With fewer samples, or with a gap no wider than from sample to sample, the line that closes the
+// stroke is one of its edges like any other.
+constexpr size_t kFewSamples = 24;
+constexpr double kWideGap = 1.5;  // × the mean distance of two samples
+
+/// A stroke seen from one of its ends.
+class Tail {
+ public:
+  Tail(const std::vector<Vec2>& stroke, bool from_back) : stroke_(stroke), from_back_(from_back) {}
+
+  Vec2 sample(size_t i) const { return stroke_[from_back_ ? stroke_.size() - 1 - i : i]; }
+
+  /// The place this far from the end along the stroke, and the first sample beyond it.
+  std::pair<Vec2, size_t> at(double arc) const {
+    for (size_t i = 1; i < stroke_.size(); ++i) {
+      const double step = distance(sample(i - 1), sample(i));
+      if (arc < step) return {lerp(sample(i - 1), sample(i), arc / step), i};
+      arc -= step;
+    }
+    return {sample(stroke_.size() - 1), stroke_.size()};
+  }
+
+  /// The direction towards the end, over a stretch from `arc` on.
+  Vec2 outwards(double arc, double stretch) const {
+    const Vec2 way = at(arc).first - at(arc + stretch).first;
+    const double size = length(way);
+    return size > 0 ? way / size : Vec2{};
+  }
+
+ private:
+  const std::vector<Vec2>& stroke_;
+  bool from_back_;
+};
+
+/// Where the end runs on beside the start, both going the same way, the closing line would run
+/// back. Takes as much from either end as lets it go forward. Empty where nothing is to be taken.
+std::vector<Vec2> withoutOverlap(const std::vector<Vec2>& stroke, double gap) {
+  constexpr double kForward = 0.7, kSameWay = 0.3;    // cosines
+  constexpr double kMostCut = 2, kCutStep = 1 / 16.;  // × the gap
+  const Tail head(stroke, false), tail(stroke, true);
+  for (double cut = 0; cut <= kMostCut * gap; cut += kCutStep * gap) {
+    const auto [start, first] = head.at(cut);
+    const auto [end, last] = tail.at(cut);
+    const Vec2 from_start = -head.outwards(cut, gap), to_end = tail.outwards(cut, gap);
+    const Vec2 closing = start - end;
+    const double size = length(closing);
+    const double by_start = dot(closing, from_start), by_end = dot(closing, to_end);
+    if (cut == 0) {
+      if (by_start >= 0 || by_end >= 0 || dot(from_start, to_end) < kSameWay) return {};
+    } else if (std::min(by_start, by_end) >= kForward * size) {
+      std::vector<Vec2> rest{start};
+      rest.insert(rest.end(), stroke.begin() + static_cast<std::ptrdiff_t>(first),
+                  stroke.end() - static_cast<std::ptrdiff_t>(last));
+      rest.push_back(end);
+      return rest;
+    }
+  }
+  return {};
+}
 
 struct Candidate {
-  size_t index;
+  size_t index;    // counted from its end
   double cut_off;  // length of the stroke beyond it
 };
 
-/// Places at which a tail may be cut, from the end inwards; index i counts from that end.
-template <typename PointAt>
-std::vector<Candidate> candidates(PointAt point_at, size_t count, double longest,
-                                  double& widest_sample) {
+/// Samples at which a tail may be cut, from the end inwards.
+std::vector<Candidate> candidates(const Tail& tail, size_t count, double longest) {
+  constexpr size_t kMost = 64;
   std::vector<Candidate> all{{0, 0}};
   double cut_off = 0;
   for (size_t i = 1; i < count; ++i) {
-    const double sample = distance(point_at(i - 1), point_at(i));
-    cut_off += sample;
+    cut_off += distance(tail.sample(i - 1), tail.sample(i));
     if (cut_off > longest) break;
-    widest_sample = std::max(widest_sample, sample);
     all.push_back({i, cut_off});
   }
-  const size_t stride = (all.size() + kMostCandidates - 1) / kMostCandidates;
+  const size_t stride = (all.size() + kMost - 1) / kMost;
   std::vector<Candidate> some;
   for (size_t i = 0; i < all.size(); i += stride) some.push_back(all[i]);
   return some;
 }
 
-}  // namespace
-
-std::vector<Vec2> trimOvershoot(const std::vector<Vec2>& stroke) {
+/// Where one end comes close to the other's flank, the rest of that other one sticks out.
+std::vector<Vec2> withoutSpur(const std::vector<Vec2>& stroke, double gap) {
+  constexpr double kMuchCloser = 0.4;  // × the gap
+  constexpr double kCutCost = 0.6;     // gap that must be saved for each unit cut off
+  const Tail head(stroke, false), tail(stroke, true);
   const size_t n = stroke.size();
-  double length_of_stroke = 0;
-  for (size_t i = 1; i < n; ++i) length_of_stroke += distance(stroke[i - 1], stroke[i]);
-  const double gap = distance(stroke.front(), stroke.back());
-  const double longest = kLongestTail * length_of_stroke;
-  if (n < 6 || gap > 2 * longest) return stroke;
-
-  double widest_sample = 0;
-  const auto head = candidates([&](size_t i) { return stroke[i]; }, n / 3, longest, widest_sample);
-  const auto tail =
-      candidates([&](size_t i) { return stroke[n - 1 - i]; }, n / 3, longest, widest_sample);
-  if (gap < kWideGap * widest_sample) return stroke;
-
+  const auto starts = candidates(head, n / 3, gap / kCutCost);
+  const auto ends = candidates(tail, n / 3, gap / kCutCost);
   double least_cost = gap;
-  size_t first = 0, last = n - 1;
-  for (const Candidate& a : head) {
-    for (const Candidate& b : tail) {
+  size_t first = 0, last = 0;
+  for (const Candidate& a : starts) {
+    for (const Candidate& b : ends) {
       const double cut_cost = kCutCost * (a.cut_off + b.cut_off);
       if (cut_cost >= least_cost) break;
-      const double closed = distance(stroke[a.index], stroke[n - 1 - b.index]);
+      const double closed = distance(head.sample(a.index), tail.sample(b.index));
       if (closed > kMuchCloser * gap || closed + cut_cost >= least_cost) continue;
       least_cost = closed + cut_cost;
       first = a.index;
-      last = n - 1 - b.index;
+      last = b.index;
     }
   }
   return {stroke.begin() + static_cast<std::ptrdiff_t>(first),
-          stroke.begin() + static_cast<std::ptrdiff_t>(last) + 1};
+          stroke.end() - static_cast<std::ptrdiff_t>(last)};
+}
+
+}  // namespace
+
+std::vector<Vec2> trimOvershoot(const std::vector<Vec2>& stroke) {
+  // Of the stroke's length. Wider, a side of the shape itself may be missing there.
+  constexpr double kWidestOverlap = 0.03, kWidestSpur = 0.1;
+  constexpr double kLongestEdge = 0.6;  // × the gap: then it is no ordinary edge
+  const size_t n = stroke.size();
+  if (n < kFewSamples) return stroke;
+  double length_of_stroke = 0, longest_edge = 0;
+  for (size_t i = 1; i < n; ++i) {
+    const double edge = distance(stroke[i - 1], stroke[i]);
+    length_of_stroke += edge;
+    longest_edge = std::max(longest_edge, edge);
+  }
+  const double gap = distance(stroke.front(), stroke.back());
+  if (gap < kWideGap * length_of_stroke / static_cast<double>(n - 1)) return stroke;
+  if (gap <= kWidestOverlap * length_of_stroke) {
+    std::vector<Vec2> closed = withoutOverlap(stroke, gap);
+    if (!closed.empty()) return closed;
+  }
+  if (gap <= kWidestSpur * length_of_stroke && longest_edge < kLongestEdge * gap) {
+    return withoutSpur(stroke, gap);
+  }
+  return stroke;
 }
 
 }  // namespace marrow

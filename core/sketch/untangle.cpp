@@ -1,6 +1,7 @@
 #include "sketch/untangle.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -13,6 +14,8 @@ namespace {
 __extension__ typedef __int128 Int128;
 
 constexpr uint32_t kNone = UINT32_MAX;
+// Fine cells make the look ahead along an edge short where long edges lie thick.
+constexpr double kCellsPerEdge = 16;
 
 struct Lattice {
   int64_t x, y;
@@ -128,31 +131,34 @@ Drawing::Drawing(const std::vector<Vec2>& curve) {
 /// Walks along the unbounded face, which stays on the right.
 class Walk {
  public:
-  explicit Walk(const Drawing& drawing) : drawing_(drawing), grid_(drawing.points, drawing.edges) {}
+  explicit Walk(const Drawing& drawing)
+      : drawing_(drawing), grid_(drawing.points, drawing.edges, kCellsPerEdge) {}
 
-  /// The nodes passed, in order; the first is not repeated at the end.
-  std::vector<Node> run() {
+  /// The nodes passed, in order; the first is not repeated at the end. None where it takes more
+  /// than `most_work` looks at an edge.
+  std::vector<Node> run(size_t most_work) {
     std::vector<Node> passed;
     Node node;
     node.vertex = 0;  // leftmost, of those the lowest: everything left of it is outside
     turn(node, Lattice{-1, 0});
     const Lattice first_way = way();
-    // An outer face has fewer edges than the whole arrangement; this many only if something is
-    // very wrong.
-    const size_t limit = 1000 + 64 * drawing_.edges.size();
     do {
       passed.push_back(node);
       const Lattice came_along = way();
       node = advance();
       turn(node, -came_along);
-    } while (passed.size() < limit &&
-             !(node == passed[0] && cross(way(), first_way) == 0 && dot(way(), first_way) > 0));
+      if (work_ > most_work) return {};
+    } while (!(node == passed[0] && cross(way(), first_way) == 0 && dot(way(), first_way) > 0));
     return passed;
   }
 
  private:
   Lattice end(uint32_t edge, int which) const {
     return drawing_.lattice[drawing_.edges[edge][static_cast<size_t>(which)]];
+  }
+  Vec2 place(uint32_t edge, double at) const {
+    const auto& e = drawing_.edges[edge];
+    return lerp(drawing_.points[e[0]], drawing_.points[e[1]], at);
   }
   Lattice way() const {
     const Lattice along = end(edge_, 1) - end(edge_, 0);
@@ -170,27 +176,39 @@ class Walk {
     const uint32_t goal = drawing_.edges[edge_][forward_ ? 1 : 0];
     hit_ = {goal, forward_ ? Fraction{1, 1} : Fraction{0, 1}};
     through_.clear();
+    overlapping_.clear();
     const Lattice a = end(edge_, 0), b = end(edge_, 1);
-    grid_.forEachCell(drawing_.points[drawing_.edges[edge_][0]],
-                      drawing_.points[drawing_.edges[edge_][1]], [&](uint32_t cell) {
-                        for (const uint32_t other : grid_.edgesIn(cell)) {
-                          if (other != edge_) meet(a, b, other);
-                        }
-                      });
+    const double start = at_.value(), whole = forward_ ? 1 - start : start;
+    const Vec2 here = place(edge_, start);
+    grid_.walk(here, drawing_.points[goal], [&](uint32_t cell, double left_at) {
+      const EdgeGrid::Range others = grid_.edgesIn(cell);
+      for (const uint32_t other : others) {
+        if (other != edge_) meet(a, b, other);
+      }
+      work_ += others.size();
+      constexpr double kSafe = 1e-9;
+      return !(std::fabs(hit_.at.value() - start) + kSafe < left_at * whole);
+    });
 
     Node node;
     if (hit_.vertex != kNone) {
       node.vertex = hit_.vertex;
       return node;
     }
+    uint32_t partner = through_[0];
     node.edge = edge_;
-    node.at = hit_.at;
+    for (const uint32_t other : overlapping_) {
+      const Fraction from = along(end(other, 0)), to = along(end(other, 1));
+      if (other < node.edge && compare(from, hit_.at) * compare(hit_.at, to) > 0) {
+        node.edge = other;
+      }
+    }
     for (const uint32_t other : through_) {
       if (other >= node.edge) continue;
-      const int64_t from = orient(a, b, end(other, 0)), to = orient(a, b, end(other, 1));
       node.edge = other;
-      node.at = Fraction::of(from, from - to);
+      partner = edge_;
     }
+    node.at = crossing(node.edge, partner);
     const int64_t divisor = std::gcd(node.at.num, node.at.den);
     node.at.num /= divisor;
     node.at.den /= divisor;
@@ -208,6 +226,7 @@ class Walk {
     if ((side_c > 0 && side_d > 0) || (side_c < 0 && side_d < 0)) return;
     if (side_c == 0) offer(along(c), drawing_.edges[other][0], other);
     if (side_d == 0) offer(along(d), drawing_.edges[other][1], other);
+    if (side_c == 0 && side_d == 0) overlapping_.push_back(other);
     if (side_c == 0 || side_d == 0) return;
     const int64_t side_a = orient(c, d, a), side_b = orient(c, d, b);
     if ((side_a > 0) == (side_b > 0) || side_a == 0 || side_b == 0) return;
@@ -258,7 +277,9 @@ class Walk {
         consider(edge, drawing_.edges[edge][0] == v);
       }
       const Lattice point = drawing_.lattice[v];
-      for (const uint32_t edge : grid_.edgesIn(grid_.cellAt(drawing_.points[v]))) {
+      const EdgeGrid::Range near = grid_.edgesIn(grid_.cellAt(drawing_.points[v]));
+      work_ += near.size();
+      for (const uint32_t edge : near) {
         const Lattice a = end(edge, 0), b = end(edge, 1);
         if (drawing_.edges[edge][0] == v || drawing_.edges[edge][1] == v) continue;
         if (orient(a, b, point) != 0 || dot(point - a, point - b) > 0) continue;
@@ -267,19 +288,16 @@ class Walk {
       }
     }
 
-    const bool crossing = node.vertex == kNone;
-    if (crossing) {
-      at_ = best == edge_ ? hit_.at : crossingOn(best);
-    }
+    if (node.vertex == kNone) at_ = best == edge_ ? hit_.at : crossing(best, edge_);
     edge_ = best;
     forward_ = best_forward;
-    if (!crossing) at_ = along(drawing_.lattice[node.vertex]);
+    if (node.vertex != kNone) at_ = along(drawing_.lattice[node.vertex]);
   }
 
-  /// Where the current edge crosses `other`, on `other`.
-  Fraction crossingOn(uint32_t other) const {
-    const Lattice a = end(edge_, 0), b = end(edge_, 1);
-    const int64_t from = orient(a, b, end(other, 0)), to = orient(a, b, end(other, 1));
+  /// Where `edge` properly crosses `other`.
+  Fraction crossing(uint32_t edge, uint32_t other) const {
+    const Lattice c = end(other, 0), d = end(other, 1);
+    const int64_t from = orient(c, d, end(edge, 0)), to = orient(c, d, end(edge, 1));
     return Fraction::of(from, from - to);
   }
 
@@ -294,7 +312,9 @@ class Walk {
   bool forward_ = true;  // towards its second end,
   Fraction at_;          // here
   Hit hit_{};
-  std::vector<uint32_t> through_;  // edges that properly cross the current one at the hit
+  size_t work_ = 0;
+  std::vector<uint32_t> through_;      // edges that properly cross the current one at the hit
+  std::vector<uint32_t> overlapping_;  // edges on the same line as the current one
 };
 
 /// Cuts a closed walk at the nodes it passes more than once; the piece with the largest area.
@@ -337,10 +357,11 @@ std::vector<Vec2> largestPiece(const std::vector<Node>& nodes, const std::vector
 
 }  // namespace
 
-std::vector<Vec2> outerBoundary(const std::vector<Vec2>& curve) {
+std::optional<std::vector<Vec2>> outerBoundary(const std::vector<Vec2>& curve, size_t most_work) {
   const Drawing drawing(curve);
-  if (drawing.edges.size() < 3) return {};
-  const std::vector<Node> nodes = Walk(drawing).run();
+  if (drawing.edges.size() < 3) return std::vector<Vec2>{};
+  const std::vector<Node> nodes = Walk(drawing).run(most_work);
+  if (nodes.empty()) return std::nullopt;
   std::vector<Vec2> places;
   places.reserve(nodes.size());
   for (const Node& node : nodes) {

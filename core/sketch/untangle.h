@@ -1,7 +1,9 @@
 // A closed curve that crosses itself → the border of its largest piece
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/vec.h"
@@ -20,8 +22,11 @@ constexpr int kLatticeBits = 30;
 /// exact integer and rational arithmetic, so any input is good: overlaps, repeats, touching points.
 ///
 /// curve: whole numbers in [0, 2^kLatticeBits].
-/// Result: counter-clockwise; crossings are rounded to double, so two of them that lie closer
-/// than 1e-15 of the size may coincide. Empty where the curve encloses no area.
-std::vector<Vec2> outerBoundary(const std::vector<Vec2>& curve);
+/// most_work: how often an edge is looked at, at most; nothing is returned where that is not
+/// enough. A few times the curve's size is the rule. Result: counter-clockwise; crossings are
+/// rounded to double, so two of them that lie closer than 1e-15 of the size may coincide. Empty
+/// where the curve encloses no area.
+std::optional<std::vector<Vec2>> outerBoundary(const std::vector<Vec2>& curve,
+                                               size_t most_work = SIZE_MAX);
 
 }  // namespace marrow
