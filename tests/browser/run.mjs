@@ -1,30 +1,12 @@
 // node tests/browser/run.mjs [SPEC.mjs…]: runs browser specs, all of them without an argument, in
 // headless Chromium against build/web. ONLY: a part of the names of the tests to run.
 import {existsSync, readdirSync} from 'node:fs';
-import {createRequire} from 'node:module';
 import {basename, join, resolve} from 'node:path';
 import {pathToFileURL} from 'node:url';
 
 import {serve} from '../../scripts/serve.mjs';
+import {launch} from './chromium.mjs';
 import {App, registered, root} from './harness.mjs';
-
-const {chromium} = createRequire(import.meta.url)('playwright-core');
-
-const browsers = [process.env.CHROMIUM, '/usr/bin/chromium', '/usr/bin/chromium-browser',
-                  '/usr/bin/google-chrome'];
-
-export async function launch() {
-  const executablePath = browsers.find((path) => path && existsSync(path));
-  if (!executablePath) {
-    throw new Error('Chromium is missing. Install it: apt-get install chromium, or set CHROMIUM.');
-  }
-  return chromium.launch({
-    executablePath,
-    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader',
-           '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run',
-           '--disable-background-networking', '--disable-component-update', '--disable-sync'],
-  });
-}
 
 async function runTest(browser, address, label, {options, run}) {
   const {width = 1280, height = 800, scale = 1, touch = false} = options;
