@@ -84,7 +84,8 @@ Tree innerTree(const std::vector<Vec2>& polygon, const StraightSkeleton& skeleto
     const double radius = tree.radii[node], reach = distance(at, polygon[tip]);
     tree.reach[node] = std::max(tree.reach[node], reach);
     const bool notches = isReflex(polygon, (tip + n - 1) % n) && isReflex(polygon, (tip + 1) % n);
-    if (reach < (notches ? kSpikeReachBetweenNotches : kSpikeReach) * radius) continue;
+    const double needed = (notches ? kSpikeReachBetweenNotches : kSpikeReach) * radius;
+    if (reach < needed * (1 + kTie)) continue;
     const uint32_t leaf = tree.add(lerp(at, polygon[tip], kSpikePart), radius * (1 - kSpikePart));
     tree.reach[leaf] = reach * (1 - kSpikePart);
     tree.connect(node, leaf);
@@ -130,7 +131,8 @@ void pruneBumps(Tree& tree) {
         last = next;
       }
       if (tree.degree(branch.junction) < 3) return;  // a path: it has no junction
-      if (branch.reach < kBranchReach * tree.radii[branch.junction]) bumps.push_back(branch);
+      const double needed = kBranchReach * tree.radii[branch.junction];
+      if (branch.reach < needed * (1 + kTie)) bumps.push_back(branch);
     }
     for (const Branch& bump : bumps) {
       for (const uint32_t node : bump.nodes) tree.removeLeaf(node);
@@ -292,12 +294,16 @@ class Collapse {
 /// Where the ray from `from` leaves the polygon.
 double exitOf(const std::vector<Vec2>& polygon, Vec2 from, Vec2 direction) {
   double nearest = -1;
-  for (size_t i = 0, n = polygon.size(); i < n; ++i) {
-    const Vec2 p = polygon[i], edge = polygon[(i + 1) % n] - p;
-    const double side_p = cross(direction, p - from), side_q = cross(direction, p + edge - from);
-    if ((side_p < 0) == (side_q < 0)) continue;
-    const double t = cross(p - from, edge) / cross(direction, edge);
-    if (t > 0 && (nearest < 0 || t < nearest)) nearest = t;
+  Vec2 p = polygon.back();
+  double side_p = cross(direction, p - from);
+  for (const Vec2 q : polygon) {
+    const double side_q = cross(direction, q - from);
+    if ((side_p < 0) != (side_q < 0)) {
+      const double t = cross(p - from, q - p) / cross(direction, q - p);
+      if (t > 0 && (nearest < 0 || t < nearest)) nearest = t;
+    }
+    p = q;
+    side_p = side_q;
   }
   return std::max(nearest, 0.0);
 }
@@ -342,7 +348,7 @@ bool isBlob(const Tree& tree) {
       total += 0.5 * distance(tree.points[i], tree.points[j]);
     }
   }
-  return total <= kBlobLength * tree.radii[deepest(tree)];
+  return total <= kBlobLength * tree.radii[deepest(tree)] * (1 + kTie);
 }
 
 }  // namespace
@@ -355,7 +361,7 @@ Result<Axis> extractAxis(const std::vector<Vec2>& polygon, const StraightSkeleto
   }
   Tree tree = innerTree(polygon, skeleton);
   const double mean = meanLength(tree);
-  const double threshold = std::max(options.collapse_ratio, kTie) * mean;
+  const double threshold = std::max(options.collapse_ratio * (1 - kTie), kTie) * mean;
   pruneBumps(tree);
   Collapse(polygon, tree, threshold).run();
   pruneBumps(tree);

@@ -104,12 +104,12 @@ std::vector<BranchSample> walk(const std::vector<Vec2>& line, double step, bool 
 /// Fills in what the polygon says about the samples; false where one is outside.
 bool measure(const std::vector<Vec2>& polygon, std::vector<BranchSample>& samples) {
   struct Edge {
-    Vec2 start, along;
+    Vec2 end, along;
     double inverse;  // of the squared length
   };
   std::vector<Edge> edges(polygon.size());
   for (size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 along = polygon[i + 1 < polygon.size() ? i + 1 : 0] - polygon[i];
+    const Vec2 along = polygon[i] - polygon[i > 0 ? i - 1 : polygon.size() - 1];
     edges[i] = {polygon[i], along, 1 / dot(along, along)};
   }
   const double far = std::numeric_limits<double>::infinity();
@@ -123,12 +123,11 @@ bool measure(const std::vector<Vec2>& polygon, std::vector<BranchSample>& sample
 
     double left = far, right = far, nearest = far;
     bool inside = false;
-    Vec2 to = polygon[0] - sample.point;
+    Vec2 to = polygon.back() - sample.point;
     double ahead = dot(to, tangent);
-    for (size_t k = 0; k < edges.size(); ++k) {
-      const Edge& edge = edges[k];
+    for (const Edge& edge : edges) {
       const Vec2 from = to;
-      to = from + edge.along;
+      to = edge.end - sample.point;
       const double behind = ahead;
       ahead = dot(to, tangent);
       const double t = std::clamp(-dot(from, edge.along) * edge.inverse, 0.0, 1.0);

@@ -1,18 +1,25 @@
 #include "skeleton/inside.h"
 
+#include <algorithm>
+
 namespace marrow {
 
 bool segmentInside(const std::vector<Vec2>& polygon, Vec2 a, Vec2 b) {
   const Vec2 along = b - a;
+  const double whole = dot(along, along);
   Vec2 p = polygon.back();
   double side_p = cross(along, p - a);
   for (const Vec2 q : polygon) {
     const double side_q = cross(along, q - a);
-    // The edge has points on both sides of the segment's line: then the segment must be clear of
-    // the edge's line.
-    if ((side_p <= 0 || side_q <= 0) && (side_p >= 0 || side_q >= 0)) {
+    // Does the edge meet the segment's line, and the segment the edge's line? Both also hold for
+    // two that lie on one line far from each other, or seem to after rounding.
+    if (std::min(side_p, side_q) <= 0 && std::max(side_p, side_q) >= 0) {
+      const double at_p = dot(along, p - a), at_q = dot(along, q - a);
       const double side_a = cross(q - p, a - p), side_b = cross(q - p, b - p);
-      if ((side_a <= 0 || side_b <= 0) && (side_a >= 0 || side_b >= 0)) return false;
+      if (std::max(at_p, at_q) >= 0 && std::min(at_p, at_q) <= whole &&
+          std::min(side_a, side_b) <= 0 && std::max(side_a, side_b) >= 0) {
+        return false;
+      }
     }
     p = q;
     side_p = side_q;
