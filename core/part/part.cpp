@@ -6,6 +6,9 @@
 namespace marrow {
 namespace {
 
+// Products of lengths below it would underflow; kLargestCoordinate guards the other end.
+constexpr double kSmallestPerimeter = 1e-50;
+
 Result<PartSkeleton> jointsOf(const Part& part, const JointOptions& options) {
   return placeJoints(part.outline.polygon, part.axis, part.outline.scale(), options);
 }
@@ -50,6 +53,7 @@ Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& optio
 
   auto outline = makeOutline(stroke, options.outline);
   if (!outline) return outline.error();
+  if (outline->perimeter < kSmallestPerimeter) return Status::noArea;
   part.outline = std::move(*outline);
   watch.lap("outline");
 

@@ -45,7 +45,7 @@ struct Part {
 /// For a stroke that is still being drawn, every frame: the same skeleton, a coarser mesh.
 PartOptions previewOptions();
 
-/// Errors: those of the stages.
+/// Errors: those of the stages; noArea also for a perimeter below 1e-50 units.
 Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& options = {},
                        Clock clock = nullptr);
 

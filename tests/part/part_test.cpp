@@ -1,0 +1,191 @@
+#include "part/part.h"
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "io/stroke_json.h"
+#include "sketch/polygon.h"
+#include "support/catch.h"
+#include "support/drawings.h"
+
+using namespace marrow;
+
+namespace {
+
+Part must(Result<Part> part) {
+  INFO(part.message());
+  REQUIRE(part);
+  return *part;
+}
+
+void requireSound(const Part& part) {
+  REQUIRE(validate(part.mesh).empty());
+  REQUIRE(part.normals.size() == part.mesh.positions.size());
+  REQUIRE(part.depths.size() == part.mesh.positions.size());
+  REQUIRE(part.inscribed_radii.size() == part.skeleton.joints.size());
+  REQUIRE(part.skeleton.bones.size() + 1 == part.skeleton.joints.size());
+  REQUIRE(part.inscribedRadius() > 0);
+  for (const auto& joint : part.skeleton.joints) {
+    REQUIRE(joint.radius > 0);
+    REQUIRE(std::isfinite(joint.radius));
+    REQUIRE(marrow::contains(part.outline.polygon, joint.position));
+  }
+}
+
+bool sameSkeleton(const PartSkeleton& a, const PartSkeleton& b) {
+  if (a.bones != b.bones || a.joints.size() != b.joints.size()) return false;
+  for (size_t i = 0; i < a.joints.size(); ++i) {
+    if (a.joints[i].kind != b.joints[i].kind) return false;
+    if (a.joints[i].position != b.joints[i].position) return false;
+  }
+  return true;
+}
+
+void requireSame(const Part& a, const Part& b) {
+  REQUIRE(sameSkeleton(a.skeleton, b.skeleton));
+  REQUIRE(a.mesh.triangles == b.mesh.triangles);
+  for (size_t i = 0; i < a.skeleton.joints.size(); ++i) {
+    REQUIRE(a.skeleton.joints[i].radius == b.skeleton.joints[i].radius);
+  }
+  REQUIRE(a.mesh.positions.size() == b.mesh.positions.size());
+  for (size_t i = 0; i < a.mesh.positions.size(); ++i) {
+    REQUIRE(a.mesh.positions[i].x == b.mesh.positions[i].x);
+    REQUIRE(a.mesh.positions[i].z == b.mesh.positions[i].z);
+    REQUIRE(a.normals[i].z == b.normals[i].z);
+  }
+}
+
+std::string readFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+TEST_CASE("part: a stroke becomes a closed mesh with a skeleton inside", "[part]") {
+  for (int arms = 2; arms < 8; ++arms) requireSound(must(buildPart(softStar(arms, 100))));
+}
+
+TEST_CASE("part: other joints or another thickness give what building anew gives", "[part]") {
+  const std::vector<Vec2> stroke = softStar(5, 120);
+  const Part part = must(buildPart(stroke));
+  for (double epsilon_s : {0.1, 2.0, 5.0, 30.0, 200.0}) {
+    for (double thickness : {0.05, 1.0, 3.3}) {
+      PartOptions options;
+      options.joints.epsilon_s = epsilon_s;
+      options.inflate.thickness = thickness;
+      const Part anew = must(buildPart(stroke, options));
+      const Part joints_first = withThickness(must(withJoints(part, options.joints)), thickness);
+      const Part thickness_first = must(withJoints(withThickness(part, thickness), options.joints));
+      requireSame(joints_first, anew);
+      requireSame(thickness_first, anew);
+    }
+  }
+}
+
+TEST_CASE("part: the preview has the skeleton of the finished part and fewer vertices", "[part]") {
+  for (int arms = 2; arms < 8; ++arms) {
+    const std::vector<Vec2> stroke = softStar(arms, 100);
+    const Part preview = must(buildPart(stroke, previewOptions()));
+    const Part finished = must(buildPart(stroke));
+    requireSound(preview);
+    REQUIRE(sameSkeleton(preview.skeleton, finished.skeleton));
+    REQUIRE(preview.mesh.positions.size() < finished.mesh.positions.size() / 2);
+  }
+}
+
+TEST_CASE("part: each stage is timed once, and all together", "[part]") {
+  static double now_ms = 0;
+  const Part part = must(buildPart(softStar(3, 100), {}, [] { return now_ms += 1; }));
+  std::vector<std::string> stages;
+  for (const auto& [stage, ms] : part.timings.stages_ms) {
+    stages.push_back(stage);
+    REQUIRE(ms == 1);
+  }
+  REQUIRE(stages == std::vector<std::string>{"outline", "straightSkeleton", "axis", "joints",
+                                             "triangulation", "inflation", "normals", "proxy"});
+  REQUIRE(part.timings.total_ms == 8);
+}
+
+TEST_CASE("part: strokes from the smallest to the largest size are parts", "[part]") {
+  const Part one = must(buildPart(softStar(5, 100)));
+  for (int exponent : {-150, -60, -20, 20, 60, 150}) {
+    CAPTURE(exponent);
+    const double scale = std::ldexp(1.0, exponent);
+    std::vector<Vec2> stroke = softStar(5, 100);
+    for (Vec2& point : stroke) point = point * scale;
+    const Part part = must(buildPart(stroke));
+    requireSound(part);
+    // A power of two changes no digit on the way.
+    REQUIRE(part.skeleton.bones == one.skeleton.bones);
+    REQUIRE(part.mesh.triangles == one.mesh.triangles);
+    REQUIRE(part.skeleton.joints[0].position == one.skeleton.joints[0].position * scale);
+  }
+}
+
+TEST_CASE("part: a stroke too small for the arithmetic encloses no area", "[part]") {
+  for (double scale : {1e-60, 1e-160, 1e-290}) {
+    std::vector<Vec2> stroke = softStar(5, 100);
+    for (Vec2& point : stroke) point = point * scale;
+    REQUIRE(buildPart(stroke).status() == Status::noArea);
+  }
+}
+
+TEST_CASE("part: far from the origin a stroke is a part or an error", "[part]") {
+  for (double far : {1e3, 1e6, 1e9, 1e12, 1e15, 1e17, 1e20, 1e40}) {
+    CAPTURE(far);
+    const auto part = buildPart(softStar(5, 100, {far, -far}));
+    if (far <= 1e9) REQUIRE(part);
+    if (part) {
+      REQUIRE(validate(part->mesh).empty());
+    } else {
+      REQUIRE(part.status() != Status::ok);
+    }
+  }
+}
+
+TEST_CASE("part: every real stroke is a sound part", "[part]") {
+  const std::string folder = std::string(MARROW_SHARED_DIR) + "/strokes/";
+  const char* names[] = {"ad-char1",
+                         "ad-char4",
+                         "icon-fluent-butterfly",
+                         "icon-fluent-crab",
+                         "icon-fluent-llama",
+                         "icon-fluent-sauropod",
+                         "icon-game-icons-angler-fish",
+                         "icon-game-icons-curled-tentacle",
+                         "icon-game-icons-kangaroo",
+                         "icon-game-icons-sheep",
+                         "icon-mdi-bat",
+                         "icon-mdi-gymnastics",
+                         "icon-mdi-human",
+                         "icon-mdi-kangaroo",
+                         "qd-angel-1",
+                         "qd-bear-45",
+                         "qd-cactus-85",
+                         "qd-cat-109",
+                         "qd-dog-174",
+                         "qd-elephant-198",
+                         "qd-flower-237",
+                         "qd-giraffe-261",
+                         "qd-horse-279",
+                         "qd-lion-339",
+                         "qd-onion-392",
+                         "qd-rabbit-480",
+                         "qd-shark-506",
+                         "qd-snake-529"};
+  for (const char* name : names) {
+    const std::string text = readFile(folder + name + ".json");
+    if (text.empty()) {
+      WARN("no real strokes here; skipped");
+      return;
+    }
+    CAPTURE(name);
+    const auto stroke = readStroke(text);
+    REQUIRE(stroke);
+    requireSound(must(buildPart(stroke->points)));
+    requireSound(must(buildPart(stroke->points, previewOptions())));
+  }
+}
