@@ -39,7 +39,7 @@ constexpr int kToleranceCuts = 24;
 constexpr double kToleranceCut = 0.7;
 // More than this are the frays of a scribble: the tolerance grows while the shape bears it.
 constexpr size_t kManyVertices = 250;
-constexpr int kCoarserRounds = 8;
+constexpr int kCoarserRounds = 2;
 constexpr double kOnLine = 1e-9;        // × the shape's diameter
 constexpr double kSpikeBySteps = 0.04;  // thinner spikes than this go,
 constexpr double kSpikeByWidth = 0.05;  // if they are that thin beside the shape as well

@@ -27,6 +27,36 @@ bool turnsBack(Vec2 a, Vec2 b, Vec2 c) {
          ((b.y > a.y) != (c.y > b.y) || b.y == a.y || b.y == c.y);
 }
 
+/// Calls visit(e, f) for pairs of edges that must not touch but do, while it returns true; a pair
+/// may come more than once.
+template <typename Visit>
+void forEachFault(const std::vector<Vec2>& polygon, Visit visit) {
+  const auto n = static_cast<uint32_t>(polygon.size());
+  std::vector<EdgeGrid::Edge> edges(n);
+  for (uint32_t i = 0; i < n; ++i) {
+    const uint32_t next = i + 1 < n ? i + 1 : 0, after = next + 1 < n ? next + 1 : 0;
+    edges[i] = {i, next};
+    if (polygon[i] == polygon[next] || turnsBack(polygon[i], polygon[next], polygon[after])) {
+      if (!visit(i, next)) return;
+    }
+  }
+
+  const EdgeGrid grid(polygon, edges);
+  for (uint32_t cell = 0; cell < grid.cellCount(); ++cell) {
+    const EdgeGrid::Range here = grid.edgesIn(cell);
+    for (size_t i = 1; i < here.size(); ++i) {
+      const uint32_t e = here[i];
+      for (size_t j = 0; j < i; ++j) {
+        const uint32_t f = here[j];  // f < e
+        if (f + 1 == e || (f == 0 && e == n - 1)) continue;
+        if (segmentsMeet(polygon[e], polygon[edges[e][1]], polygon[f], polygon[f + 1])) {
+          if (!visit(e, f)) return;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 
 double signedArea(const std::vector<Vec2>& polygon) {
@@ -62,31 +92,23 @@ Vec2 areaCentroid(const std::vector<Vec2>& polygon) {
 }
 
 bool isSimple(const std::vector<Vec2>& polygon) {
-  const auto n = static_cast<uint32_t>(polygon.size());
-  if (n < 3) return false;
-  std::vector<EdgeGrid::Edge> edges(n);
-  for (uint32_t i = 0; i < n; ++i) {
-    const uint32_t next = i + 1 < n ? i + 1 : 0, after = next + 1 < n ? next + 1 : 0;
-    edges[i] = {i, next};
-    if (polygon[i] == polygon[next]) return false;
-    if (turnsBack(polygon[i], polygon[next], polygon[after])) return false;
+  bool simple = polygon.size() >= 3;
+  if (simple) {
+    forEachFault(polygon, [&](uint32_t, uint32_t) {
+      simple = false;
+      return false;
+    });
   }
+  return simple;
+}
 
-  const EdgeGrid grid(polygon, edges);
-  for (uint32_t cell = 0; cell < grid.cellCount(); ++cell) {
-    const EdgeGrid::Range here = grid.edgesIn(cell);
-    for (size_t i = 1; i < here.size(); ++i) {
-      const uint32_t e = here[i];
-      for (size_t j = 0; j < i; ++j) {
-        const uint32_t f = here[j];  // f < e
-        if (f + 1 == e || (f == 0 && e == n - 1)) continue;
-        if (segmentsMeet(polygon[e], polygon[edges[e][1]], polygon[f], polygon[f + 1])) {
-          return false;
-        }
-      }
-    }
-  }
-  return true;
+std::vector<char> faultyEdges(const std::vector<Vec2>& polygon) {
+  std::vector<char> faulty(polygon.size(), 0);
+  forEachFault(polygon, [&](uint32_t e, uint32_t f) {
+    faulty[e] = faulty[f] = 1;
+    return true;
+  });
+  return faulty;
 }
 
 bool contains(const std::vector<Vec2>& polygon, Vec2 point) {

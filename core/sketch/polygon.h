@@ -14,6 +14,9 @@ double perimeter(const std::vector<Vec2>& polygon);
 Vec2 areaCentroid(const std::vector<Vec2>& polygon);
 /// No two edges touch, but for neighbours at their common vertex. Exact; O(n) in practice.
 bool isSimple(const std::vector<Vec2>& polygon);
+/// For each edge (from the vertex with its index to the next) whether it is one of those that
+/// make isSimple() false.
+std::vector<char> faultyEdges(const std::vector<Vec2>& polygon);
 /// Strictly inside by the even-odd rule; points on the border may go either way. O(n).
 bool contains(const std::vector<Vec2>& polygon, Vec2 point);
 /// The smallest distance from `point` to the polygon's border. O(n).

@@ -95,6 +95,27 @@ void dropNeedless(const std::vector<Vec2>& polygon, double tolerance, std::vecto
   }
 }
 
+/// Where chords cross, takes the vertices back that lie farthest from them, until none cross.
+void untangleChords(const std::vector<Vec2>& polygon, std::vector<uint32_t>& kept) {
+  for (bool again = true; again;) {
+    again = false;
+    std::vector<Vec2> chords;
+    for (const uint32_t i : kept) chords.push_back(polygon[i]);
+    const std::vector<char> faulty = faultyEdges(chords);
+    std::vector<uint32_t> finer;
+    for (size_t k = 0; k < kept.size(); ++k) {
+      finer.push_back(kept[k]);
+      if (!faulty[k]) continue;
+      const Farthest farthest =
+          farthestBetween(polygon, kept[k], kept[k + 1 < kept.size() ? k + 1 : 0]);
+      if (farthest.miss < 0) continue;
+      finer.push_back(farthest.index);
+      again = true;
+    }
+    kept = std::move(finer);
+  }
+}
+
 }  // namespace
 
 std::vector<uint32_t> simplify(const std::vector<Vec2>& polygon, double tolerance) {
@@ -119,6 +140,7 @@ std::vector<uint32_t> simplify(const std::vector<Vec2>& polygon, double toleranc
     }
   }
   dropNeedless(polygon, tolerance, indices);
+  untangleChords(polygon, indices);
   return indices;
 }
 

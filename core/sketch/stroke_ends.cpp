@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "sketch/polygon.h"
+
 namespace marrow {
 namespace {
 
@@ -29,6 +31,16 @@ class Tail {
     return {sample(stroke_.size() - 1), stroke_.size()};
   }
 
+  /// From a point to the nearest place within `reach` of the end.
+  double distanceTo(Vec2 point, double reach) const {
+    double best = distance(sample(0), point);
+    for (size_t i = 1; i < stroke_.size() && reach > 0; ++i) {
+      best = std::min(best, distanceToSegment(sample(i - 1), sample(i), point));
+      reach -= distance(sample(i - 1), sample(i));
+    }
+    return best;
+  }
+
   /// The direction towards the end, over a stretch from `arc` on.
   Vec2 outwards(double arc, double stretch) const {
     const Vec2 way = at(arc).first - at(arc + stretch).first;
@@ -43,14 +55,22 @@ class Tail {
 
 /// Where the end runs on beside the start, both going the same way, the closing line would run
 /// back. Takes as much from either end as lets it go forward. Empty where nothing is to be taken.
-std::vector<Vec2> withoutOverlap(const std::vector<Vec2>& stroke, double gap) {
-  constexpr double kForward = 0.7, kSameWay = 0.3;    // cosines
+/// stretch: the length over which directions are taken. surely: only if each end is close to the
+/// other's flank.
+std::vector<Vec2> withoutOverlap(const std::vector<Vec2>& stroke, double gap, double stretch,
+                                 bool surely) {
+  constexpr double kForward = 0.5, kSameWay = 0.3;    // cosines
   constexpr double kMostCut = 2, kCutStep = 1 / 16.;  // × the gap
+  constexpr double kClose = 0.3;                      // × the gap
   const Tail head(stroke, false), tail(stroke, true);
+  if (surely && (head.distanceTo(stroke.back(), 2 * gap) > kClose * gap ||
+                 tail.distanceTo(stroke.front(), 2 * gap) > kClose * gap)) {
+    return {};
+  }
   for (double cut = 0; cut <= kMostCut * gap; cut += kCutStep * gap) {
     const auto [start, first] = head.at(cut);
     const auto [end, last] = tail.at(cut);
-    const Vec2 from_start = -head.outwards(cut, gap), to_end = tail.outwards(cut, gap);
+    const Vec2 from_start = -head.outwards(cut, stretch), to_end = tail.outwards(cut, stretch);
     const Vec2 closing = start - end;
     const double size = length(closing);
     const double by_start = dot(closing, from_start), by_end = dot(closing, to_end);
@@ -117,7 +137,9 @@ std::vector<Vec2> withoutSpur(const std::vector<Vec2>& stroke, double gap) {
 
 std::vector<Vec2> trimOvershoot(const std::vector<Vec2>& stroke) {
   // Of the stroke's length. Wider, a side of the shape itself may be missing there.
-  constexpr double kWidestOverlap = 0.03, kWidestSpur = 0.1;
+  constexpr double kWidestOverlap = 0.15, kWidestSpur = 0.1;
+  constexpr double kSmallOverlap = 0.03;
+  constexpr double kStretch = 0.015;
   constexpr double kLongestEdge = 0.6;  // × the gap: then it is no ordinary edge
   const size_t n = stroke.size();
   if (n < kFewSamples) return stroke;
@@ -130,7 +152,9 @@ std::vector<Vec2> trimOvershoot(const std::vector<Vec2>& stroke) {
   const double gap = distance(stroke.front(), stroke.back());
   if (gap < kWideGap * length_of_stroke / static_cast<double>(n - 1)) return stroke;
   if (gap <= kWidestOverlap * length_of_stroke) {
-    std::vector<Vec2> closed = withoutOverlap(stroke, gap);
+    std::vector<Vec2> closed =
+        withoutOverlap(stroke, gap, std::min(gap, kStretch * length_of_stroke),
+                       gap > kSmallOverlap * length_of_stroke);
     if (!closed.empty()) return closed;
   }
   if (gap <= kWidestSpur * length_of_stroke && longest_edge < kLongestEdge * gap) {
