@@ -24,6 +24,8 @@ constexpr double kSpikePart = 0.75;
 constexpr double kBlobLength = 0.5;
 // How far the one bone of a blob goes from the middle to the border on either side.
 constexpr double kDiameterPart = 0.5;
+// An edge that moves in a collapse keeps this part of its smaller ball free.
+constexpr double kClearance = 0.5;
 // Lengths and radii that differ by less than this part count as equal, so that rounding does not
 // decide between symmetric choices.
 constexpr double kTie = 1e-9;
@@ -252,11 +254,12 @@ class Collapse {
       if (tree_.points[end] == point) continue;
       for (const uint32_t other : tree_.neighbours[end]) {
         if (other == a || other == b) continue;
-        // Between two balls that overlap the segment is inside both or one of them.
+        // Between two balls that overlap enough the segment is clear of the border.
+        const double smaller = std::min(radius, tree_.radii[other]);
         const double apart = distance(point, tree_.points[other]);
         if (apart == 0) return false;
-        if (apart < (1 - kTie) * (radius + tree_.radii[other])) continue;
-        if (!segmentInside(polygon_, point, tree_.points[other])) return false;
+        if (apart * apart < 4 * (1 - kClearance * kClearance) * smaller * smaller) continue;
+        if (!segmentClear(polygon_, point, tree_.points[other], kClearance * smaller)) return false;
       }
     }
     return true;

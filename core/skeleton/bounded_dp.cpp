@@ -14,8 +14,8 @@ constexpr double kSectionLimit = 1.1;
 // Nearer than this many radii to another joint an error counts for less, in proportion: a bone
 // that is shorter than its balls are wide is of little use.
 constexpr double kBoneRoom = 1.5;
-// The part of a section that a bone may cross: it keeps away from the border.
-constexpr double kCorridor = 0.8;
+// The part of a section, from the axis on, in which a bone may cross it: it keeps to the middle.
+constexpr double kCorridor = 0.5;
 // Errors that differ by less than this part are equal: a branch that is its own mirror image is
 // split at both places.
 constexpr double kTie = 1e-9;

@@ -38,12 +38,12 @@ struct BoundedDpOptions {
 /// The indices of the samples to keep, ascending, first and last included. Every segment between
 /// two of them lies inside the polygon. A larger epsilon keeps a subset.
 ///
-/// Errors are taken as 1.1 inscribed radii at most on either side (beyond, the line across looks
-/// into another limb), and count for less where a bone would be short against its balls.
-/// A bone that leaves the region Ω is split at its largest error, and its halves are measured with
-/// the threshold × shrink, or with that error where it is larger. (Shrinking the threshold of the
-/// whole branch, as Algorithm 2 does, adds joints where none is needed, and a larger start
-/// threshold can end with more of them.)
+/// Sections count up to 1.1 inscribed radii on either side (beyond, the line across looks into
+/// another limb), and errors count for less where a bone would be short against its balls.
+/// A bone that leaves the inner half of the region Ω is split at its largest error, and its halves
+/// are measured with the threshold × shrink, or with that error where it is larger. (Shrinking the
+/// threshold of the whole branch, as Algorithm 2 does, adds joints where none is needed, and a
+/// larger start threshold can end with more of them.)
 std::vector<size_t> boundedDp(const std::vector<Vec2>& polygon,
                               const std::vector<BranchSample>& samples,
                               const BoundedDpOptions& options);

@@ -1,6 +1,7 @@
 #include "skeleton/inside.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace marrow {
 
@@ -25,6 +26,18 @@ bool segmentInside(const std::vector<Vec2>& polygon, Vec2 a, Vec2 b) {
     side_p = side_q;
   }
   return true;
+}
+
+bool segmentClear(const std::vector<Vec2>& polygon, Vec2 a, Vec2 b, double clearance) {
+  // Two segments that do not cross are nearest to each other at an end of one of them.
+  const Vec2 along = b - a;
+  const double inverse = 1 / std::max(dot(along, along), std::numeric_limits<double>::min());
+  for (const Vec2 p : polygon) {
+    const double t = std::clamp(dot(p - a, along) * inverse, 0.0, 1.0);
+    const Vec2 away = p - a - along * t;
+    if (dot(away, away) < clearance * clearance) return false;
+  }
+  return segmentInside(polygon, a, b);
 }
 
 }  // namespace marrow

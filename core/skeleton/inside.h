@@ -10,4 +10,7 @@ namespace marrow {
 /// a, b: points inside the polygon. False also where the segment touches the border. O(n).
 bool segmentInside(const std::vector<Vec2>& polygon, Vec2 a, Vec2 b);
 
+/// And comes nowhere nearer to it than `clearance`, which a and b may not either. O(n).
+bool segmentClear(const std::vector<Vec2>& polygon, Vec2 a, Vec2 b, double clearance);
+
 }  // namespace marrow

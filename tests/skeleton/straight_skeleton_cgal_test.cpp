@@ -1,8 +1,8 @@
-#include <catch2/catch.hpp>
 #include <numeric>
 
 #include "skeleton/shapes.h"
 #include "skeleton/straight_skeleton.h"
+#include "support/catch.h"
 
 namespace marrow {
 namespace {
@@ -83,7 +83,10 @@ TEST_CASE("straightSkeletonByCgal: a tree whose nodes are as far from their face
   Random random(1);
   for (int i = 0; i < 100; ++i) {
     INFO("random polygon " << i);
-    check(shapes::random(random));
+    const auto polygon = shapes::random(random);
+    check(polygon);
+    check(shapes::scaled(polygon, 1e4));
+    check(shapes::scaled(polygon, 1e-4));
   }
 }
 
