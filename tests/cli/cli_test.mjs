@@ -5,7 +5,9 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 
-const [program, shared] = process.argv.slice(2);
+const [, , given, shared] = process.argv;
+assert.ok(given && fs.existsSync(given), `no program ${given}: build it first`);
+const program = path.resolve(given);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'marrow-cli-'));
 const inFolder = (name) => path.join(folder, name);
 const run = (...words) => spawnSync(program, words, {cwd: folder, encoding: 'utf8'});
