@@ -15,6 +15,7 @@ constexpr double kSplit = 1.5;       // × spacing: longer edges are split
 constexpr size_t kMostDropped = 64;  // in a row; bounds the work
 constexpr double kCoarser = 1.4;     // × spacing and tolerance while there are too many points
 constexpr int kMostRounds = 30;
+constexpr double kAreaChange = 0.05;  // of the area: dropping vertices may take or add no more
 
 /// Of the vertices `kept` (ascending indices, the first is 0) those that stay.
 std::vector<size_t> thinOut(const std::vector<Vec2>& outline, const std::vector<size_t>& kept,
@@ -95,44 +96,53 @@ std::vector<Vec2> pick(const std::vector<Vec2>& outline, const std::vector<size_
   return polygon;
 }
 
-/// Brings dropped vertices back where the thinned outline touches itself.
-void makeSimple(const std::vector<Vec2>& outline, std::vector<size_t>& kept) {
-  while (kept.size() < outline.size()) {
-    const std::vector<char> touching = touchingEdges(pick(outline, kept));
+/// Brings vertices `kept` back into `fewer` of them where the thinned outline touches itself.
+void makeSimple(const std::vector<Vec2>& outline, const std::vector<size_t>& kept,
+                std::vector<size_t>& fewer) {
+  const auto at = [&](size_t k) { return outline[kept[k < kept.size() ? k : 0]]; };
+  while (fewer.size() < kept.size()) {
+    const std::vector<char> touching = touchingEdges(pick(outline, fewer));
     std::vector<size_t> more;
-    for (size_t i = 0; i < kept.size(); ++i) {
-      const size_t from = kept[i], to = i + 1 < kept.size() ? kept[i + 1] : outline.size();
-      more.push_back(from);
-      if (!touching[i] || to - from < 2) continue;
-      size_t farthest = from + 1;
-      double most = -1;
-      for (size_t k = from + 1; k < to; ++k) {
-        const double off =
-            distanceToSegment(outline[from], outline[to % outline.size()], outline[k]);
-        if (off > most) {
-          most = off;
-          farthest = k;
+    size_t from = 0;  // in `kept`
+    for (size_t i = 0; i < fewer.size(); ++i) {
+      size_t to = from + 1;
+      while (to < kept.size() && (i + 1 == fewer.size() || kept[to] < fewer[i + 1])) ++to;
+      more.push_back(fewer[i]);
+      if (touching[i] && to - from > 1) {
+        size_t farthest = from + 1;
+        double most = -1;
+        for (size_t k = from + 1; k < to; ++k) {
+          const double off = distanceToSegment(at(from), at(to), at(k));
+          if (off > most) {
+            most = off;
+            farthest = k;
+          }
         }
+        more.push_back(kept[farthest]);
       }
-      more.push_back(farthest);
+      from = to;
     }
-    if (more.size() == kept.size()) return;
-    kept = std::move(more);
+    if (more.size() == fewer.size()) return;
+    fewer = std::move(more);
   }
 }
 
 }  // namespace
 
 std::vector<Vec2> fitBorder(const std::vector<Vec2>& outline, double spacing, size_t max_points) {
+  const double area = signedArea(outline);
   std::vector<size_t> kept(outline.size());
   std::iota(kept.begin(), kept.end(), size_t{0});
   double wide = spacing;
   for (int round = 0; round == 0 || (kept.size() > max_points && round < kMostRounds); ++round) {
-    kept = thinOut(outline, kept, kLongest * wide, kTolerance * wide);
+    std::vector<size_t> fewer = thinOut(outline, kept, kLongest * wide, kTolerance * wide);
+    if (fewer.size() < kept.size()) {
+      makeSimple(outline, kept, fewer);
+      if (std::fabs(signedArea(pick(outline, fewer)) - area) > kAreaChange * area) break;
+      kept = std::move(fewer);
+    }
     wide *= kCoarser;
   }
-  if (kept.size() < 3) return outline;
-  if (kept.size() < outline.size()) makeSimple(outline, kept);
 
   std::vector<Vec2> border;
   border.reserve(2 * kept.size());

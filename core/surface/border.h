@@ -12,8 +12,8 @@ namespace marrow {
 /// neighbours (corners stay), and splits long edges into even pieces. What is kept is kept as
 /// drawn; vertex 0 always is. A simple, counter-clockwise outline stays simple.
 ///
-/// max_points: where more would be left, spacing and tolerance grow until it holds; more than that
-/// come out only where fewer would make the border cross itself.
+/// max_points: where more would be left, spacing and tolerance grow until it holds, or until the
+/// area would change by more than a twentieth.
 std::vector<Vec2> fitBorder(const std::vector<Vec2>& outline, double spacing, size_t max_points);
 
 }  // namespace marrow

@@ -14,18 +14,20 @@ namespace {
 constexpr double kRowHeight = 0.8660254037844386;  // of a lattice of equilateral triangles
 constexpr double kFirstRing = 0.35;   // depth of the first ring of points along the border, where
 constexpr double kSecondRing = 1.05;  // the inflated surface rises steeply; of the second
-constexpr double kThin = 2.2;         // half widths below get a row of points along their middle
-constexpr double kRinged = 0.9;       // half widths below get no second ring
+constexpr double kThin = 2.4;         // half widths below get a row of points along their middle
+constexpr double kRinged = 1.3;       // half widths below get no second ring
 constexpr double kClearance = 0.7;    // of lattice points from all others
 constexpr double kSpike = 0.04;       // squared sum of two edges' unit normals: no ring point below
-constexpr double kPerimeterShare = 1.2;  // points per spacing of border, beyond the lattice's
+constexpr double kBesideLattice = 1.2;  // points per spacing of border, beyond the lattice's
+constexpr double kInThin = 2.4;         // the same where everything is too thin for a lattice
 
 // In points aimed at.
 constexpr double kBorderShare = 0.5;  // the border gets no more
 constexpr double kMost = 1.15;        // another attempt above,
 constexpr double kFewest = 0.85;      // or below
 constexpr int kMostAttempts = 3;
-constexpr int kFewestPoints = 16;
+constexpr int kFewestPoints = 48;
+constexpr size_t kLeastBorder = 24;
 
 // Depths, in half widths, at which a half circle rises by equal angles: an eighth, a twelfth and a
 // sixth of the turn.
@@ -116,9 +118,10 @@ class Filling {
     const size_t before_lattice = mesh_.points().size();
     addLattice(grid);
     lattice_count_ = mesh_.points().size() - before_lattice;
-    splitChords();
     return true;
   }
+
+  bool splitChords();
 
   const ConstrainedDelaunay& mesh() const { return mesh_; }
   size_t latticeCount() const { return lattice_count_; }
@@ -136,7 +139,6 @@ class Filling {
   void addMiddle(Grid& grid);
   void addSecondRing(Grid& grid);
   void addLattice(const Grid& grid);
-  void splitChords();
 
   uint32_t after(uint32_t k) const { return k + 1 < border_.size() ? k + 1 : 0; }
   uint32_t triangleAt(uint32_t border_edge) const { return mesh_.borderEdge(border_edge) / 3; }
@@ -149,7 +151,7 @@ class Filling {
   std::vector<Vec2> normals_;        // of border edges, inward
   std::vector<Vec2> inward_;         // at border vertices: a step that leads 1 away from both edges
   std::vector<double> half_widths_;  // at border vertices, spacings; 0 at spikes
-  std::vector<Chord> chords_;        // edges across the polygon while nothing was inside
+  std::vector<Chord> chords_;        // across thin places, the shortest from each vertex
   size_t lattice_count_ = 0;
 };
 
@@ -179,10 +181,12 @@ void Filling::measure() {
 }
 
 /// The radius of the largest circle inside that touches the border at `vertex`, as far as Delaunay
-/// neighbours tell; model units. Notes the chords from here on the way.
+/// neighbours tell; model units. Notes the shortest chord from here on the way.
 double Filling::halfWidthAt(uint32_t vertex, Vec2 inward) {
   const Vec2 at = border_[vertex];
   double radius = length(high_ - low_);
+  double shortest = 4 * kThin * kThin * spacing_ * spacing_;
+  Chord chord = {at, 0, vertex};
   for (uint32_t e = mesh_.borderEdge(vertex);;) {
     const uint32_t opposite = mesh_.next(e), spoke = mesh_.previous(e);
     if (mesh_.twin(opposite) == ConstrainedDelaunay::kNone) {
@@ -201,12 +205,13 @@ double Filling::halfWidthAt(uint32_t vertex, Vec2 inward) {
     const Vec2 off = border_[far] - at;
     const double squared = dot(off, off), ahead = dot(off, inward);
     if (ahead > 0) radius = std::min(radius, squared / (2 * ahead));
-    if (far > vertex) {
-      const double half_length = std::sqrt(squared) / (2 * spacing_);
-      if (half_length < kThin) chords_.push_back({at + off * 0.5, half_length, vertex});
+    if (squared < shortest) {
+      shortest = squared;
+      chord = {at + off * 0.5, std::sqrt(squared) / (2 * spacing_), vertex};
     }
     e = other_side;
   }
+  if (chord.half_length > 0) chords_.push_back(chord);
   return radius;
 }
 
@@ -214,7 +219,7 @@ void Filling::addFirstRing(Grid& grid) {
   const int32_t first = grid.size();
   for (uint32_t k = 0; k < border_.size(); ++k) {
     const double width = half_widths_[k];
-    const double narrow = std::min(1.0, std::max(0.0, 2 - width / kRinged));
+    const double narrow = std::min(1.0, std::max(0.0, 4 - 3 * width / kRinged));
     const double depth = std::min(kFirstRing, width * (kTwelfth + (kEighth - kTwelfth) * narrow));
     if (!(depth > 0)) continue;
     const Vec2 point = border_[k] + inward_[k] * (depth * spacing_);
@@ -293,25 +298,32 @@ void Filling::addLattice(const Grid& grid) {
   }
 }
 
-/// An edge between two border points would stay flat when inflated.
-void Filling::splitChords() {
+/// An edge between two border points would stay flat when inflated. False where one is too short to
+/// have a middle.
+bool Filling::splitChords() {
   const uint32_t n = static_cast<uint32_t>(border_.size());
-  // New edges all end at the new point, so no chord comes up again; but they change places.
+  // New edges all end at the new point, so there are never more than the n − 3 chords of an empty
+  // polygon to split; but they change places.
+  uint32_t left = n;
   for (bool found = true; found;) {
     found = false;
     for (uint32_t e = 0; e < mesh_.edgeCount(); ++e) {
       const uint32_t a = mesh_.corner(e), b = mesh_.corner(ConstrainedDelaunay::next(e));
       if (a >= n || b >= n || mesh_.twin(e) == ConstrainedDelaunay::kNone) continue;
-      mesh_.insert((border_[a] + border_[b]) * 0.5, e / 3);
+      const Vec2 middle = (border_[a] + border_[b]) * 0.5;
+      if (left-- == 0 || mesh_.insert(middle, e / 3) == ConstrainedDelaunay::kNone) return false;
       found = true;
     }
   }
+  return true;
 }
 
-/// The spacing h for which a polygon gets `count` points: area / (h² √3/2) + share · perimeter / h.
+/// The spacing h for which a polygon gets about `count` points: the larger of those at which
+/// area / (h² √3/2) + kBesideLattice · perimeter / h and kInThin · perimeter / h are that many.
 double spacingFor(double area, double perimeter, double count) {
-  const double a = area / kRowHeight, b = kPerimeterShare * perimeter;
-  return (b + std::sqrt(b * b + 4 * a * count)) / (2 * count);
+  const double a = area / kRowHeight, b = kBesideLattice * perimeter;
+  const double thick = (b + std::sqrt(b * b + 4 * a * count)) / (2 * count);
+  return std::max(thick, kInThin * perimeter / count);
 }
 
 bool isSound(const std::vector<Vec2>& points,
@@ -339,27 +351,31 @@ Result<Triangulation> triangulate(const std::vector<Vec2>& outline,
 
   const size_t target = static_cast<size_t>(std::max(kFewestPoints, options.target_points));
   double spacing = spacingFor(area, perimeter, static_cast<double>(target));
+  Triangulation sparse;  // the last attempt with too few points
   for (int attempt = 1;; ++attempt) {
-    const std::vector<Vec2> border =
-        fitBorder(outline, spacing, static_cast<size_t>(kBorderShare * target) + 3);
+    const size_t most = std::max(kLeastBorder, static_cast<size_t>(kBorderShare * target));
+    const std::vector<Vec2> border = fitBorder(outline, spacing, most);
     Filling filling(border, spacing, target);
     if (!filling.fill()) return {Status::meshFailed, "the outline crosses itself"};
+    // The lattice grows with the square of the resolution, the rest with the resolution.
+    const double lattice = static_cast<double>(filling.latticeCount());
+    const double rest = static_cast<double>(filling.mesh().points().size()) - lattice;
 
-    const double count = static_cast<double>(filling.mesh().points().size());
-    if (attempt < kMostAttempts && (count > kMost * target || count < kFewest * target)) {
-      // The lattice grows with the square of the resolution, the rest with the resolution.
-      const double lattice = static_cast<double>(filling.latticeCount()), rest = count - lattice;
-      spacing *= (rest + std::sqrt(rest * rest + 4 * lattice * target)) / (2 * target);
-      continue;
-    }
+    const bool is_split = filling.splitChords();
     Triangulation result;
     result.points = filling.mesh().points();
     result.border_count = static_cast<uint32_t>(border.size());
     result.triangles = filling.mesh().triangles();
-    if (!isSound(result.points, result.triangles)) {
+    if (!is_split || !isSound(result.points, result.triangles)) {
       return {Status::meshFailed, "the outline is too narrow somewhere to be triangulated"};
     }
-    return result;
+
+    const double count = static_cast<double>(result.points.size());
+    const bool too_many = count > kMost * target, too_few = count < kFewest * target;
+    if (too_many && !sparse.points.empty()) return sparse;
+    if (attempt == kMostAttempts || !(too_many || too_few)) return result;
+    if (too_few) sparse = std::move(result);
+    spacing *= (rest + std::sqrt(rest * rest + 4 * lattice * target)) / (2 * target);
   }
 }
 
