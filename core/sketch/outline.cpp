@@ -28,7 +28,7 @@ constexpr size_t kMostWork = 10000000;  // edges looked at on the way around
 constexpr int kCoarserBits = 3;
 constexpr int kCoarsestBits = 10;
 
-constexpr double kStepsAcross = 40;   // at least, over the shape's diameter
+constexpr double kStepsAcross = 0.2;  // × OutlineOptions::samples, over the shape's diameter
 constexpr double kMostFiner = 8;      // × OutlineOptions::samples, for thin shapes
 constexpr double kPixelsPerStep = 4;  // at least, where samples lie on whole pixels
 constexpr int kStepHalvings = 4;
@@ -84,6 +84,12 @@ class Frame {
   Vec2 toLocal(Vec2 p) const {
     const Vec2 moved = p - origin_;
     return {std::ldexp(moved.x, -exponent_), std::ldexp(moved.y, -exponent_)};
+  }
+  /// About how far apart the numbers are in which the model holds these points.
+  double resolution(const Box& box) const {
+    const double largest = std::max(
+        {std::fabs(box.low.x), std::fabs(box.low.y), std::fabs(box.high.x), std::fabs(box.high.y)});
+    return std::ldexp(largest, -52 - exponent_);
   }
   Vec2 toModel(Vec2 p) const {
     return {origin_.x + std::ldexp(p.x, exponent_), origin_.y + std::ldexp(p.y, exponent_)};
@@ -201,37 +207,37 @@ bool isGood(const std::vector<Vec2>& polygon) {
 struct Source {
   std::vector<Vec2> loop;  // local frame
   Frame frame;
-  double diameter, step, tolerance;
+  double step, tolerance;
+  double near;  // closer to a line than this is on it
 };
 
 struct LocalAndModel {
   std::vector<Vec2> local, model;
 };
 
+LocalAndModel finished(const Source& source, const std::vector<Vec2>& polygon) {
+  LocalAndModel both;
+  for (const uint32_t i : withoutCollinear(polygon, source.near)) both.local.push_back(polygon[i]);
+  both.model = source.frame.toModel(both.local);
+  return isGood(both.model) ? both : LocalAndModel{};
+}
+
 LocalAndModel makeDense(const Source& source) {
   const ArcCurve curve(source.loop);
   double step = source.step;
-  for (int halving = 0; halving <= kStepHalvings + 2; ++halving, step /= 2) {
-    LocalAndModel dense;
-    if (halving <= kStepHalvings) {
-      dense.local = resample(curve, step);
-    } else if (halving == kStepHalvings + 1) {
-      dense.local = source.loop;
-    } else {
-      dense.local = convexHull(source.loop);
-    }
-    dense.local = withoutCollinear(dense.local, kOnLine * source.diameter);
-    dense.model = source.frame.toModel(dense.local);
-    if (isGood(dense.model)) return dense;
+  for (int halving = 0; halving <= kStepHalvings; ++halving, step /= 2) {
+    LocalAndModel dense = finished(source, resample(curve, step));
+    if (!dense.model.empty()) return dense;
   }
-  return {};
+  LocalAndModel dense = finished(source, source.loop);
+  return dense.model.empty() ? finished(source, convexHull(source.loop)) : dense;
 }
 
 std::vector<Vec2> makePolygon(const Source& source, const LocalAndModel& dense) {
   const auto at = [&](double tolerance) {
     std::vector<Vec2> polygon;
-    for (const uint32_t i : simplify(dense.local, tolerance)) polygon.push_back(dense.model[i]);
-    return isGood(polygon) ? polygon : std::vector<Vec2>{};
+    for (const uint32_t i : simplify(dense.local, tolerance)) polygon.push_back(dense.local[i]);
+    return finished(source, polygon).model;
   };
   double tolerance = source.tolerance;
   std::vector<Vec2> polygon = at(tolerance);
@@ -258,7 +264,8 @@ Result<Outline> makeOutline(const std::vector<Vec2>& stroke, const OutlineOption
   dropRepeats(points);
   if (points.size() < 3 || !hasThreeDistinct(points)) return Status::tooFewPoints;
 
-  const Frame frame(boxOf(points));
+  const Box box = boxOf(points);
+  const Frame frame(box);
   for (Vec2& p : points) p = frame.toLocal(p);
   dropRepeats(points);
   if (points.size() < 3) return Status::noArea;
@@ -279,15 +286,16 @@ Result<Outline> makeOutline(const std::vector<Vec2>& stroke, const OutlineOption
 
   const double diameter = diameterOf(loop.points);
   const double even_step = length_of_loop / samples;
-  const double step = std::max(
-      std::min(kPixelsPerStep * pixel, length_of_loop / 40),
-      std::min({even_step, diameter / kStepsAcross, std::max(width, even_step / kMostFiner)}));
+  const double step = std::max(std::min(kPixelsPerStep * pixel, length_of_loop / 40),
+                               std::min({even_step, diameter / (kStepsAcross * samples),
+                                         std::max(width, even_step / kMostFiner)}));
   const double tolerance =
       std::max(std::min(kToleranceByPixel * pixel, length_of_loop / 400),
                std::min({options.tolerance * length_of_loop / kReferencePerimeter,
                          kToleranceByWidth * width, kToleranceAcross * diameter}));
 
-  const Source source{std::move(loop.points), frame, diameter, step, tolerance};
+  const double near = std::max(kOnLine * diameter, 4 * frame.resolution(box));
+  const Source source{std::move(loop.points), frame, step, tolerance, near};
   LocalAndModel dense = makeDense(source);
   if (dense.model.empty()) return Status::noArea;
   Outline outline;

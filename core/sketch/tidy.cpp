@@ -32,13 +32,13 @@ std::vector<Vec2> withoutSpikes(const std::vector<Vec2>& polygon, double thin) {
   return kept;
 }
 
-std::vector<Vec2> withoutCollinear(const std::vector<Vec2>& polygon, double near) {
-  std::vector<Vec2> kept;
-  const size_t n = polygon.size();
-  for (size_t i = 0; i < n; ++i) {
-    const Vec2 before = kept.empty() ? polygon[n - 1] : kept.back();
-    const Vec2 after = i + 1 < n ? polygon[i + 1] : (kept.empty() ? polygon[0] : kept[0]);
-    if (distanceToSegment(before, after, polygon[i]) > near) kept.push_back(polygon[i]);
+std::vector<uint32_t> withoutCollinear(const std::vector<Vec2>& polygon, double near) {
+  std::vector<uint32_t> kept;
+  const auto n = static_cast<uint32_t>(polygon.size());
+  for (uint32_t i = 0; i < n; ++i) {
+    const Vec2 before = polygon[kept.empty() ? n - 1 : kept.back()];
+    const Vec2 after = polygon[i + 1 < n ? i + 1 : (kept.empty() ? 0 : kept[0])];
+    if (distanceToSegment(before, after, polygon[i]) > near) kept.push_back(i);
   }
   return kept;
 }

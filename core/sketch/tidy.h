@@ -1,6 +1,7 @@
 // Small repairs of closed polygons
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "base/vec.h"
@@ -12,8 +13,9 @@ namespace marrow {
 /// simple; check.
 std::vector<Vec2> withoutSpikes(const std::vector<Vec2>& polygon, double thin);
 
-/// Without the vertices that are no farther than `near` from the line between their neighbours.
-std::vector<Vec2> withoutCollinear(const std::vector<Vec2>& polygon, double near);
+/// The vertices, in order, without those no farther than `near` from the line between their
+/// neighbours.
+std::vector<uint32_t> withoutCollinear(const std::vector<Vec2>& polygon, double near);
 
 /// Counter-clockwise, without collinear vertices.
 std::vector<Vec2> convexHull(std::vector<Vec2> points);

@@ -278,7 +278,7 @@ inline Stroke zigzag(int teeth, double width, double height) {
   for (int i = 0; i <= teeth; ++i) {
     stroke.push_back({width * i / teeth, i % 2 ? height : 0});
   }
-  return sampled(stroke, width / teeth / 4, false);
+  return sampled(stroke, std::max(width / teeth, height) / 30, false);
 }
 
 /// Along a closed curve as a hand draws it: it starts anywhere, overshoots or falls short of its
