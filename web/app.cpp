@@ -15,6 +15,10 @@ constexpr int kSettleFrames = 3;
 constexpr double kPreviewShare = 0.6;
 // Below this turn nobody notices that drawing went back to the front view.
 constexpr double kNoticeable_rad = 0.15;
+// A stroke shorter than this on the screen was no stroke.
+constexpr double kShortestStroke_px = 20;
+constexpr const char* kTooSmall =
+    "That was too small to become a shape. Draw a closed shape, a little larger.";
 
 bool isButton(const InputEvent& event) {
   const auto* pointer = std::get_if<PointerEvent>(&event);
@@ -67,7 +71,7 @@ App::FrameResult App::frame(double now_ms) {
                  requests_.orbit_px != Vec2{} || !requests_.commands.empty() || !input_.empty() ||
                  ui_.glide.running() || requests_.wake_after_ms <= 0;
   result.wake_after_ms = requests_.wake_after_ms;
-  if (tools_.drawing().active() && live_points_ != tools_.drawing().points().size()) {
+  if (input.drawing && live_points_ != tools_.drawing().points().size()) {
     result.wake_after_ms = std::min(result.wake_after_ms, next_preview_ms_ - now_ms);
   }
   return result;
@@ -111,7 +115,11 @@ void App::handle(const PointerEvent& event) {
     said_turned_ = true;
     say("Strokes are drawn in the front view, so the view turned back.");
   }
-  if (outcome.command) apply(*outcome.command);
+  if (outcome.command && tools_.drawing().travelled_px() < kShortestStroke_px) {
+    say(kTooSmall);
+  } else if (outcome.command) {
+    apply(*outcome.command);
+  }
   if (outcome.click_px) select(*outcome.click_px);
 }
 
@@ -187,7 +195,7 @@ void App::apply(const Command& command) {
   auto next = marrow::apply(document(), command);
   if (!next) {
     if (draws) {
-      say("That was too small to become a shape. Draw a closed shape, a little larger.");
+      say(kTooSmall);
     } else {
       say(next.message());
     }
@@ -298,7 +306,10 @@ void App::updateLivePart() {
 }
 
 void App::select(Vec2 pixel) {
+  const bool had_selection = document().find(ui_.selected).has_value();
   ui_.selected = partAt(pixel, evaluation_.parts(), ui_.camera, ui_.size);
+  // Somebody who only clicks has not found out yet that one draws by dragging.
+  if (ui_.selected.empty() && !had_selection) say("Hold and drag to draw a closed shape.");
   if (!ui_.narrow()) ui_.open.part = true;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "io/json.h"
+#include "panels/widgets.h"
 
 namespace marrow {
 namespace {
@@ -42,6 +43,19 @@ Json cameraJson(const UiState& ui) {
   json["zoom"] = camera.zoom;
   json["view"] = view ? Json(toString(*view)) : Json(nullptr);
   json["moving"] = ui.glide.running();
+  return json;
+}
+
+Json widgetsJson() {
+  Json json = Json::array();
+  for (const WidgetPlace& place : widgetPlaces()) {
+    json.push_back({{"panel", place.panel},
+                    {"id", place.id},
+                    {"x", place.low.x},
+                    {"y", place.low.y},
+                    {"width", place.high.x - place.low.x},
+                    {"height", place.high.y - place.low.y}});
+  }
   return json;
 }
 
@@ -112,6 +126,7 @@ std::string statsReport(const App& app) {
                   {"runs", app.warmUp().runs()},
                   {"ms", app.warmUp().spent_ms()},
                   {"longestStepMs", app.warmUp().longest_step_ms()}};
+  json["widgets"] = widgetsJson();
   json["message"] = ui.toast ? Json(ui.toast->text) : Json(nullptr);
   return toText(json);
 }

@@ -41,13 +41,12 @@ class Builder {
   }
 
   void addPart(const std::shared_ptr<const Part>& part, uint64_t mesh_id, Color color,
-               bool selected, bool transient) {
+               bool selected) {
     Scene::Body body;
     body.mesh_id = mesh_id;
     body.part = part;
     body.color = toRgba(color);
     body.selected = selected;
-    body.transient = transient;
     scene_.bodies.push_back(std::move(body));
     for (const Vec3& p : part->mesh.positions) grow(p);
     if (ui_.show.straight_skeleton) addStraightSkeleton(*part);
@@ -165,10 +164,9 @@ Scene buildScene(const std::vector<EvaluatedPart>& parts, const LivePart& live,
   Builder builder(ui);
   for (const EvaluatedPart& part : parts) {
     if (!part.part) continue;
-    builder.addPart(part.part, part.mesh_id, part.source->color, part.source->id == ui.selected,
-                    false);
+    builder.addPart(part.part, part.mesh_id, part.source->color, part.source->id == ui.selected);
   }
-  if (live.part) builder.addPart(live.part, live.mesh_id, live.color, false, true);
+  if (live.part) builder.addPart(live.part, live.mesh_id, live.color, false);
   if (drawing.active() && drawing.isStroke()) builder.addInk(drawing);
   return builder.finish();
 }

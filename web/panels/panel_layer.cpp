@@ -65,7 +65,7 @@ bool PanelLayer::panelAt(Vec2 pixel) const {
   const ImVec2 at{static_cast<float>(pixel.x), static_cast<float>(pixel.y)};
   for (const ImGuiWindow* window : GImGui->Windows) {
     const bool shown = window->WasActive && !window->Hidden && window->LastFrameActive >= 0;
-    if (!shown || (window->Flags & ImGuiWindowFlags_NoInputs)) continue;
+    if (!shown || (window->Flags & ImGuiWindowFlags_NoMouseInputs)) continue;
     if (window->OuterRectClipped.Contains(at)) return true;
   }
   return false;
@@ -132,6 +132,7 @@ Requests PanelLayer::frame(const PanelInput& input, UiState& ui) {
   const bool keys_down = keys_down_;
 
   ImGui::NewFrame();
+  forgetPlaces();
   Requests requests;
   drawHint(input, ui, requests);
   drawToolbar(input, ui, requests);

@@ -51,6 +51,7 @@ void drawName(const PartSource& part, Requests& requests) {
     }
   }
   ImGui::PopID();
+  notePlace("name");
   tooltipForLastItem("The part's name");
 }
 
@@ -125,6 +126,7 @@ void drawPartPanel(const PanelInput& input, UiState& ui, Requests& requests) {
 
   ButtonLook look{"Delete this part  (X or Delete)"};
   look.width = ImGui::GetContentRegionAvail().x;
+  look.danger = true;
   if (textButton("delete", "Delete part", ui.touch() ? 44.0f : 34.0f, look)) {
     requests.commands.push_back(DeletePart{part.id});
   }

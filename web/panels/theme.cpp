@@ -10,6 +10,7 @@ Fonts the_fonts;  // belongs to the one ImGui context, as ImGui's own state does
 // Latin with its accents, a few Greek letters and signs: what the subset holds.
 const ImWchar kTextRanges[] = {0x20,   0x7E,   0xA0,   0x17F,  0x3B5,  0x3B5, 0x2010,
                                0x2027, 0x2190, 0x2193, 0x2212, 0x2212, 0};
+const ImWchar kTitleRanges[] = {0x20, 0x7E, 0x2010, 0x2027, 0};  // our own words only
 const ImWchar kIconRanges[] = {0xE000, 0xF8FF, 0};
 
 ImFont* add(const unsigned char* data, size_t size, float size_px, double dpr,
@@ -34,8 +35,8 @@ void buildFonts(double dpr) {
   io.Fonts->Clear();
   io.Fonts->TexGlyphPadding = 2;
   the_fonts.regular = add(kUiFont, sizeof kUiFont, 15, dpr, kTextRanges);
-  the_fonts.bold = add(kUiFontBold, sizeof kUiFontBold, 15, dpr, kTextRanges);
-  the_fonts.title = add(kUiFontBold, sizeof kUiFontBold, 20, dpr, kTextRanges);
+  the_fonts.bold = add(kUiFontBold, sizeof kUiFontBold, 15, dpr, kTitleRanges);
+  the_fonts.title = add(kUiFontBold, sizeof kUiFontBold, 20, dpr, kTitleRanges);
   the_fonts.icons = add(kIconFont, sizeof kIconFont, 20, dpr, kIconRanges);
   io.FontGlobalScale = static_cast<float>(1 / dpr);
   io.Fonts->Build();

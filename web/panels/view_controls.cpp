@@ -65,6 +65,7 @@ void drawGizmo(UiState& ui, Requests& requests) {
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::InvisibleButton("turn", {side, side});
+  notePlace("turn");
   const bool held = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
   const ImVec2 drag = ImGui::GetIO().MouseDelta;
   if (held) requests.orbit_px = {drag.x, drag.y};

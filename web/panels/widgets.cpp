@@ -11,6 +11,8 @@ namespace {
 constexpr float kTooltipDelay_s = 0.45f;
 constexpr float kTooltipWidth = 260;
 
+std::vector<WidgetPlace> places;  // belongs to the one ImGui context, as ImGui's own state does
+
 ImDrawList& list() { return *ImGui::GetWindowDrawList(); }
 
 ImVec2 middle(ImVec2 low, ImVec2 high) { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
@@ -41,6 +43,7 @@ ImU32 background(bool on) {
 // The clickable area of a button; false where it is disabled.
 bool pressed(const char* id, ImVec2 size, const ButtonLook& look) {
   const bool clicked = ImGui::InvisibleButton(id, size) && look.enabled;
+  notePlace(id);
   if (look.enabled) {
     list().AddRectFilled(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), background(look.on), 9);
   }
@@ -50,6 +53,7 @@ bool pressed(const char* id, ImVec2 size, const ButtonLook& look) {
 
 ImU32 foreground(const ButtonLook& look) {
   if (!look.enabled) return Theme::kDisabled;
+  if (look.danger) return Theme::kDanger;
   return look.on ? Theme::kAccent : Theme::kText;
 }
 
@@ -116,6 +120,7 @@ SliderEvent slider(const char* id, float& value, float mark, float height) {
   SliderEvent event;
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::InvisibleButton(id, {width, height});
+  notePlace(id);
   const ImVec2 low = ImGui::GetItemRectMin();
   const float radius = 10;
   const float from = low.x + radius, to = low.x + width - radius, y = low.y + height / 2;
@@ -143,6 +148,7 @@ SliderEvent slider(const char* id, float& value, float mark, float height) {
 
 bool swatch(const char* id, Color color, bool chosen, float side) {
   const bool clicked = ImGui::InvisibleButton(id, {side, side});
+  notePlace(id);
   const ImVec2 at = middle(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   const float radius = side / 2 - 6;
   list().AddCircleFilled(at, radius, IM_COL32(color.r, color.g, color.b, 255), 32);
@@ -165,6 +171,16 @@ void softText(const char* text) {
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }
+
+const std::vector<WidgetPlace>& widgetPlaces() { return places; }
+
+void notePlace(const char* id) {
+  const ImGuiWindow& window = *ImGui::GetCurrentWindow();
+  if (window.Hidden) return;
+  places.push_back({window.Name, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
+}
+
+void forgetPlaces() { places.clear(); }
 
 void tooltipForLastItem(const char* text) {
   if (!*text || !ImGui::IsItemHovered()) return;

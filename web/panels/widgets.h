@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "document/document.h"
 #include "panels/theme.h"
@@ -23,7 +24,8 @@ struct ButtonLook {
   const char* tooltip = "";
   bool enabled = true;
   bool on = false;  // a switch that is on
-  float width = 0;  // 0: square, or as wide as the text
+  float width = 0;      // 0: square, or as wide as the text
+  bool danger = false;  // takes something away
 };
 bool iconButton(const char* id, const char* icon, float side, const ButtonLook& look);
 bool textButton(const char* id, const char* text, float height, const ButtonLook& look);
@@ -41,6 +43,16 @@ bool swatch(const char* id, Color color, bool chosen, float side);
 
 void heading(const char* text);
 void softText(const char* text);  // wrapped, in a quieter colour
+
+/// Where a widget of this frame lies, in CSS pixels: for who wants to point at it from outside.
+struct WidgetPlace {
+  const char *panel, *id;
+  ImVec2 low, high;
+};
+const std::vector<WidgetPlace>& widgetPlaces();
+/// Adds the last item.
+void notePlace(const char* id);
+void forgetPlaces();
 
 /// The tooltip of the last item, beside it and not under the finger.
 void tooltipForLastItem(const char* text);

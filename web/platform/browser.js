@@ -1,5 +1,6 @@
 // What the page does for the app: pointers, wheel, keys, size, a lost context, the frame loop, and
-// window.marrow. Linked into marrow.js; holds no state of the app.
+// window.marrow. Linked into marrow.js; holds no state of the app. Nothing is taken apart by pattern
+// here: the optimizer of older Emscriptens loses such variables.
 Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
   const canvas = Module['canvas'];
   const kinds = {mouse: 0, touch: 1, pen: 2};
@@ -72,7 +73,7 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
     event.preventDefault();
     const box = canvas.getBoundingClientRect();
     const unit = event.deltaMode === 1 ? 33 : event.deltaMode === 2 ? 400 : 1;
-    const [dx, dy] = [event.deltaX * unit, event.deltaY * unit];
+    const dx = event.deltaX * unit, dy = event.deltaY * unit;
     // A trackpad pinches with Ctrl set; two fingers that drag on it also move sideways.
     const pans = !event.ctrlKey && dx !== 0;
     const zoom = pans ? 0 : -dy * (event.ctrlKey ? 0.01 : 0.0016);
@@ -97,7 +98,7 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
     return event.altKey ? undefined : plainKeys[key];
   }
   window.addEventListener('keydown', (event) => {
-    const {target} = event;
+    const target = event.target;
     if (target !== textField && target !== canvas && target !== document.body) return;
     const name = keyName(event);
     if (!name) return;
@@ -176,11 +177,12 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
     mesh(index) {
       const table = _marrow_mesh(index) >> 2;
       if (!table) return null;
-      const [positions, normals, triangles, vertices, faces] = HEAPU32.slice(table, table + 5);
+      const doubles = (address, count) => HEAPF64.slice(address >> 3, (address >> 3) + count);
+      const vertices = HEAPU32[table + 3], triangles = HEAPU32[table + 2] >> 2;
       return {
-        positions: HEAPF64.slice(positions >> 3, (positions >> 3) + 3 * vertices),
-        normals: HEAPF64.slice(normals >> 3, (normals >> 3) + 3 * vertices),
-        triangles: HEAPU32.slice(triangles >> 2, (triangles >> 2) + 3 * faces),
+        positions: doubles(HEAPU32[table], 3 * vertices),
+        normals: doubles(HEAPU32[table + 1], 3 * vertices),
+        triangles: HEAPU32.slice(triangles, triangles + 3 * HEAPU32[table + 4]),
       };
     },
     undo() { const done = call('undo'); wake(); return done; },

@@ -102,8 +102,9 @@ void GroundShadow::draw(const Scene& scene, GpuCache& cache, Float3 clip_scale) 
   }
   const Box box = shadowBox(scene);
   const Vec3 back = scene.camera.axes()[2];
-  const double level = std::sqrt(back.x * back.x + back.z * back.z);  // 1: at the ground's height
-  const double lean = kLean * level * level / std::max(level, 1e-9);
+  // The lean is for the standard views; in between the ground can be seen as it is.
+  const double along = std::max(std::abs(back.x), std::abs(back.z));
+  const double lean = kLean * std::pow(along, 6);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glDisable(GL_CULL_FACE);

@@ -26,7 +26,6 @@ struct Scene {
     std::shared_ptr<const Part> part;
     Rgba color;
     bool selected = false;
-    bool transient = false;  // the live preview: another mesh in a moment
   };
   /// A line with round ends, as wide on the screen as it says.
   struct Segment {
