@@ -1,81 +1,104 @@
-// node tests/bench/run.mjs [NAME…]: runs the benchmarks and prints one table, in Markdown.
+// node tests/bench/run.mjs [--quick] [stages] [growth] [cold] [thinning] [frames]: measures all, or
+// what is named, and prints the tables in Markdown. Everything measured goes to build/bench.json.
 //
-// A benchmark is <name>.cpp (built natively and as WebAssembly for Node), <name>.py or
-// <name>.bench.mjs (run by Node; for the real app in Chromium). Each writes a line a figure to its
-// standard output, fields separated by tabs: table, row, n, milliseconds; anything else it writes
-// to its standard error. A .bench.mjs adds a fifth field, the column, where it is not "Chromium".
+// The machine may be busy with other things: native and WebAssembly take turns, a few times over,
+// and of each figure the smallest is kept (of medians the middle one).
 import {spawnSync} from 'node:child_process';
-import {existsSync, readdirSync} from 'node:fs';
-import {cpus} from 'node:os';
+import {existsSync, mkdirSync, writeFileSync} from 'node:fs';
 import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
+import {frames} from './frames.mjs';
+import {report} from './report.mjs';
+
 const folder = dirname(fileURLToPath(import.meta.url));
 const root = resolve(folder, '../..');
-const names = process.argv.slice(2);
-const figures = [];  // {table, row, n, column, ms}
-let failed = false;
+const quick = process.argv.includes('--quick');
+const named = process.argv.slice(2).filter((word) => !word.startsWith('-'));
+const wanted = (name) => !named.length || named.includes(name);
 
-function run(name, column, command, ...args) {
-  console.error(`bench: ${name}, ${column}`);
+function run(what, command, args, input) {
   const result = spawnSync(command, args, {
-    cwd: root, encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'], maxBuffer: 1 << 26,
+    input, encoding: 'utf8', maxBuffer: 1 << 28, stdio: ['pipe', 'pipe', 'inherit'],
   });
-  if (result.status !== 0) {
-    console.error(`bench: ${name}, ${column}: failed`);
-    failed = true;
-  }
-  for (const line of (result.stdout ?? '').split('\n')) {
-    const fields = line.split('\t');
-    if (fields.length < 4) continue;
-    const [table, row, n, ms, own_column] = fields;
-    figures.push({table, row, n, ms: Number(ms), column: own_column ?? column});
-  }
+  if (result.status !== 0) throw new Error(`${what} failed`);
+  return result.stdout.split('\n').filter(Boolean).map((line) => JSON.parse(line));
 }
 
-// The Python that has scikit-image; a Python from elsewhere may come first on the path.
-const python = existsSync('/usr/bin/python3') ? '/usr/bin/python3' : 'python3';
+const programs = {
+  native: [join(root, 'build/native/marrow_bench')],
+  wasm: [process.execPath, join(root, 'tests/node/run.cjs'), join(root, 'build/wasm/marrow_bench.js')],
+};
 
-for (const file of readdirSync(folder).sort()) {
-  const [, name, kind] = /^(\w+)\.(cpp|py|bench\.mjs)$/.exec(file) ?? [];
-  if (!name || (names.length && !names.includes(name))) continue;
-  if (kind === 'cpp') {
-    run(name, 'native', join(root, `build/native/bench_${name}`));
-    run(name, 'wasm', process.execPath, join(root, 'tests/node/run.cjs'),
-        join(root, `build/wasm/bench_${name}.js`));
-  } else if (kind === 'py') {
-    run(name, 'native', python, join(folder, file));
+function bench(target, what) {
+  const [command, ...args] = programs[target];
+  return run(`${what}, ${target}`, command, [...args, what, ...(quick ? ['--quick'] : [])])
+      .map((row) => ({...row, target}));
+}
+
+/// The same figures measured several times, made one.
+function merged(rows) {
+  const groups = new Map();
+  for (const {ms, runs, ...what} of rows) {
+    const key = JSON.stringify(what);
+    if (!groups.has(key)) groups.set(key, {what, all: []});
+    groups.get(key).all.push(ms);
+  }
+  return [...groups.values()].map(({what, all}) => {
+    const ms = {};
+    for (const name of new Set(all.flatMap((times) => Object.keys(times)))) {
+      const times = all.map((one) => one[name]).filter((time) => time !== undefined);
+      const middle = (list) => list.sort((a, b) => a - b)[list.length >> 1];
+      ms[name] = Array.isArray(times[0])
+          ? [Math.min(...times.map((time) => time[0])), middle(times.map((time) => time[1]))]
+          : middle(times);
+    }
+    return {...what, ms};
+  });
+}
+
+function say(text) { console.error(`bench: ${text}`); }
+
+function repeated(what, times) {
+  const rows = [];
+  for (let i = 0; i < times; ++i) {
+    for (const target of Object.keys(programs)) {
+      say(`${what}, ${target}, ${i + 1} of ${times}`);
+      rows.push(...bench(target, what));
+    }
+  }
+  return merged(rows);
+}
+
+const rows = [];
+const strokes = bench('native', 'strokes');
+if (wanted('stages')) rows.push(...repeated('stages', quick ? 1 : 3));
+if (wanted('growth')) rows.push(...repeated('growth', quick ? 1 : 2));
+if (wanted('cold')) rows.push(...repeated('cold', quick ? 3 : 7));
+if (wanted('thinning')) {
+  say('thinning');
+  // The Python that has scikit-image; a Python from elsewhere may come first on the path.
+  const python = existsSync('/usr/bin/python3') ? '/usr/bin/python3' : 'python3';
+  const lines = strokes.map((stroke) => JSON.stringify(stroke)).join('\n');
+  const found = run('thinning', python, [join(folder, 'thinning.py'), ...(quick ? ['--quick'] : [])],
+                    lines);
+  if (found[0]?.missing) {
+    say(`scikit-image is missing (apt-get install python3-skimage): ${found[0].missing}`);
   } else {
-    run(name, 'Chromium', process.execPath, join(folder, file));
+    rows.push(...found);
   }
 }
-
-const number = (ms) => (ms === undefined ? '' : ms < 0.0995 ? ms.toFixed(4) : ms < 9.95
-    ? ms.toFixed(2) : ms.toFixed(ms < 99.5 ? 1 : 0));
-
-function print(rows) {
-  const widths = rows[0].map((_, i) => Math.max(...rows.map((row) => row[i].length)));
-  const line = (row) => `| ${row.map((cell, i) => i < 1 ? cell.padEnd(widths[i])
-                                                        : cell.padStart(widths[i])).join(' | ')} |`;
-  console.log(line(rows[0]));
-  console.log(`|${widths.map((w, i) => (i < 1 ? '-'.repeat(w + 2) : '-'.repeat(w + 1) + ':')).join('|')}|`);
-  for (const row of rows.slice(1)) console.log(line(row));
-}
-
-console.log(`${cpus()[0]?.model ?? 'processor'}, ${cpus().length} cores; milliseconds`);
-for (const table of new Set(figures.map((figure) => figure.table))) {
-  const own = figures.filter((figure) => figure.table === table);
-  const columns = ['native', 'wasm', 'Chromium'].filter((c) => own.some((f) => f.column === c));
-  columns.push(...new Set(own.map((f) => f.column).filter((c) => !columns.includes(c))));
-  const ratio = columns.includes('native') && columns.includes('wasm');
-  const rows = [['', 'n', ...columns, ...(ratio ? ['wasm ÷ native'] : [])]];
-  for (const key of new Set(own.map((f) => `${f.row}\t${f.n}`))) {
-    const at = (column) => own.find((f) => `${f.row}\t${f.n}` === key && f.column === column)?.ms;
-    const share = at('wasm') / at('native');
-    rows.push([...key.split('\t'), ...columns.map((column) => number(at(column))),
-               ...(ratio ? [Number.isFinite(share) ? share.toFixed(2) : ''] : [])]);
+if (wanted('frames')) {
+  const site = join(root, 'build/web');
+  if (existsSync(join(site, 'marrow.wasm'))) {
+    say('frames in Chromium');
+    // Software rendering is slow: not all of them.
+    const drawn = strokes.filter((_, i) => i % (quick ? 12 : 4) === 0);
+    rows.push(...await frames(site, drawn, {quick}));
+  } else {
+    say('build/web is not there, so no frames in Chromium');
   }
-  console.log(`\n**${table}**\n`);
-  print(rows);
 }
-process.exitCode = failed || !figures.length ? 1 : 0;
+mkdirSync(join(root, 'build'), {recursive: true});
+writeFileSync(join(root, 'build/bench.json'), rows.map((row) => JSON.stringify(row)).join('\n') + '\n');
+console.log(report(rows));

@@ -1,0 +1,123 @@
+// The real frame loop: strokes drawn with the mouse in headless Chromium on build/web.
+//
+// The renderer there is software and would hide everything else, so it is our own code that is
+// timed: the pipeline by the app's own clock, and each animation frame's callback as a whole, with
+// WebGL's drawing calls left out. The clock has steps of 0.1 ms.
+import {readFileSync, readdirSync} from 'node:fs';
+import {join} from 'node:path';
+import {brotliCompressSync, gzipSync, constants} from 'node:zlib';
+
+import {serve} from '../../scripts/serve.mjs';
+import {launch} from '../browser/chromium.mjs';
+
+const width = 1280, height = 800;
+const samplesPerFrame = 4;
+const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];
+
+/// Before the page's own scripts: keeps how long each animation frame's callback took.
+function watchFrames() {
+  window.frameTimes = [];
+  const ask = window.requestAnimationFrame.bind(window);
+  window.requestAnimationFrame = (call) => ask((time) => {
+    const start = performance.now();
+    call(time);
+    window.frameTimes.push(performance.now() - start);
+  });
+}
+
+/// Before the page's own scripts: WebGL takes everything, but draws nothing.
+function drawNothing() {
+  for (const name of Object.getOwnPropertyNames(WebGL2RenderingContext.prototype)) {
+    if (/^(draw(Arrays|Elements|RangeElements)|clear$|blitFramebuffer)/.test(name)) {
+      WebGL2RenderingContext.prototype[name] = () => {};
+    }
+  }
+}
+
+/// The stroke in the middle of the canvas, y down.
+function onScreen(points) {
+  const [xs, ys] = [points.map((p) => p[0]), points.map((p) => p[1])];
+  const [left, right] = [Math.min(...xs), Math.max(...xs)];
+  const [low, high] = [Math.min(...ys), Math.max(...ys)];
+  const scale = Math.min(560 / (right - left), 560 / (high - low));
+  return points.map(([x, y]) => [width / 2 + scale * (x - (left + right) / 2),
+                                 height / 2 - scale * (y - (low + high) / 2)]);
+}
+
+/// Draws with the mouse; several samples come with each frame, as from a real one.
+async function draw({page, session}, stroke) {
+  const points = onScreen(stroke.points);
+  const move = ([x, y]) => session.send('Input.dispatchMouseEvent', {
+    type: 'mouseMoved', x, y, button: 'left', buttons: 1,
+  });
+  const parts = await page.evaluate(() => window.marrow.parts().length);
+  await page.evaluate(() => { window.frameTimes.length = 0; });
+  await page.mouse.move(...points[0]);
+  await page.mouse.down();
+  for (let i = 1; i < points.length; i += samplesPerFrame) {
+    await Promise.all(points.slice(i, i + samplesPerFrame).map(move));
+  }
+  const {preview} = await page.evaluate(() => window.marrow.stats());
+  const frames = await page.evaluate(() => window.frameTimes.splice(0));
+  await page.mouse.up();
+  await page.waitForFunction((n) => window.marrow.parts().length > n, parts, {timeout: 20_000});
+  const {part, stats} = await page.evaluate(() => ({part: window.marrow.parts().at(-1),
+                                                    stats: window.marrow.stats()}));
+  return {
+    stroke: stroke.stroke,
+    previews: preview.frames,
+    previewFirst: preview.firstMs, previewMedian: preview.medianMs, previewMax: preview.maxMs,
+    frameMedian: median(frames), frameMax: Math.max(...frames),
+    part: part.timings.total, stages: part.timings, vertices: part.mesh.vertices,
+    warm: stats.warm.done,
+  };
+}
+
+async function open(browser, address, {draws = true} = {}) {
+  const context = await browser.newContext({viewport: {width, height}});
+  const page = await context.newPage();
+  await page.addInitScript(watchFrames);
+  if (!draws) await page.addInitScript(drawNothing);
+  await page.goto(address);
+  await page.waitForFunction(() => window.marrow?.ready, null, {timeout: 60_000});
+  // Since the navigation: the page's clock starts with it.
+  const ready = await page.evaluate(() => window.marrow.ready.then(() => performance.now()));
+  return {context, page, session: await context.newCDPSession(page), ready};
+}
+
+/// How large the site's parts are over the wire.
+function sizes(site) {
+  return readdirSync(site).filter((name) => /\.(wasm|js)$/.test(name)).map((name) => {
+    const bytes = readFileSync(join(site, name));
+    const brotli = brotliCompressSync(bytes, {params: {[constants.BROTLI_PARAM_QUALITY]: 11}});
+    return {bench: 'size', file: name, raw: bytes.length, gzip: gzipSync(bytes, {level: 9}).length,
+            brotli: brotli.length};
+  });
+}
+
+/// strokes: [{stroke, points}]; the first is drawn again and again on new pages.
+export async function frames(site, strokes, {quick = false} = {}) {
+  const rows = sizes(site);
+  const server = await serve(site);
+  const browser = await launch();
+  try {
+    for (let i = 0; i < (quick ? 2 : 5); ++i) {
+      const tab = await open(browser, server.address);
+      const drawn = await draw(tab, strokes[0]);
+      rows.push({bench: 'firstStroke', ready: tab.ready, version: browser.version(), ...drawn});
+      await tab.context.close();
+    }
+    const tab = await open(browser, server.address, {draws: false});
+    const warm = () => window.marrow.stats().warm.done;
+    await tab.page.waitForFunction(warm, null, {timeout: 60_000, polling: 100});
+    for (const stroke of strokes) {
+      rows.push({bench: 'frames', ...await draw(tab, stroke)});
+      await tab.page.evaluate(() => window.marrow.undo());
+    }
+    await tab.context.close();
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+  return rows;
+}
