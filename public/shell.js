@@ -1,88 +1,92 @@
 // Loads the app: shows how far it is, says what is missing, and gives window.marrow.ready.
 'use strict';
 
+const sentences = {
+  wasm: 'This browser has no WebAssembly, which Marrow needs. A current version of any browser has it.',
+  webgl: 'Marrow draws with WebGL 2, and this browser does not offer it. Please try a current ' +
+      'browser, or switch on hardware acceleration in its settings.',
+  old: 'This browser is too old for Marrow. A current version of any browser will do.',
+  broken: 'Marrow could not be loaded. Please check the connection and load the page again.',
+  stopped: 'Marrow has stopped. Please load the page again.',
+};
+
 window.marrow = {};
-let markReady, markFailed;
+let markReady, markFailed, failed = false;
 window.marrow.ready = new Promise((resolve, reject) => {
   markReady = resolve;
   markFailed = reject;
 });
 window.marrow.ready.catch(() => {});
 
-function whenPageIsThere(then) {
-  if (document.readyState !== 'loading') return then();
-  document.addEventListener('DOMContentLoaded', then);
-}
+const pageIsThere = new Promise((resolve) => {
+  if (document.readyState !== 'loading') resolve();
+  document.addEventListener('DOMContentLoaded', resolve);
+});
 
-function fail(sentence) {
+async function fail(sentence) {
+  if (failed) return;
+  failed = true;
   markFailed(new Error(sentence));
-  whenPageIsThere(() => {
-    document.getElementById('loading').className = '';
-    document.getElementById('message').textContent = sentence;
-    document.getElementById('progress').hidden = true;
-  });
-}
-
-function whatIsMissing() {
-  if (typeof WebAssembly !== 'object') {
-    return 'This browser has no WebAssembly, which Marrow needs. ' +
-        'A current version of any browser has it.';
-  }
-  const probe = document.createElement('canvas').getContext('webgl2');
-  if (!probe) {
-    return 'Marrow draws with WebGL 2, and this browser does not offer it. Please try a current ' +
-        'browser, or switch on hardware acceleration in its settings.';
-  }
-  const release = probe.getExtension('WEBGL_lose_context');
-  if (release) release.loseContext();
-  return '';
+  await pageIsThere;
+  document.getElementById('loading').className = '';
+  document.getElementById('message').textContent = sentence;
+  document.getElementById('progress').hidden = true;
 }
 
 // The response, telling how much of it has arrived.
-function withProgress(response, total) {
+function withProgress(response) {
+  const total = Number(response.headers.get('Content-Length')) || 1e6;
+  const bar = document.getElementById('progress');
   const reader = response.body.getReader();
   let received = 0;
   const stream = new ReadableStream({
     async pull(controller) {
-      const {done, value} = await reader.read();
-      if (done) return controller.close();
-      received += value.length;
-      const bar = document.getElementById('progress');
-      if (bar) bar.value = Math.min(1, received / total);
-      controller.enqueue(value);
+      const chunk = await reader.read();
+      if (chunk.done) return controller.close();
+      received += chunk.value.length;
+      bar.value = Math.min(1, received / total);
+      controller.enqueue(chunk.value);
     },
   });
   return new Response(stream, {headers: {'Content-Type': 'application/wasm'}});
 }
 
 async function instantiate(imports, receive) {
-  const response = await wasm;
+  const response = await download;
+  await pageIsThere;
   if (!response.ok) throw new Error(String(response.status));
-  const total = Number(response.headers.get('Content-Length')) || 3e6;
-  const result = await WebAssembly.instantiateStreaming(withProgress(response, total), imports);
-  receive(result.instance, result.module);
+  const result = WebAssembly.instantiateStreaming
+      ? await WebAssembly.instantiateStreaming(withProgress(response), imports)
+      : await WebAssembly.instantiate(await withProgress(response).arrayBuffer(), imports);
+  if (!failed) receive(result.instance, result.module);
 }
 
-const missing = whatIsMissing();
-const wasm = missing ? null : fetch('marrow.wasm', {credentials: 'same-origin'});
-const broken = 'Marrow could not be loaded. Please check the connection and load the page again.';
+const hasWasm = typeof WebAssembly === 'object';
+const download = hasWasm ? fetch('marrow.wasm', {credentials: 'same-origin'}) : null;
+if (!hasWasm) fail(sentences.wasm);
 
 var Module = {
-  noInitialRun: Boolean(missing),
   instantiateWasm(imports, receive) {
-    if (!missing) instantiate(imports, receive).catch(() => fail(broken));
+    if (!hasWasm) return {};
+    instantiate(imports, receive).catch((error) => {
+      fail(error instanceof WebAssembly.CompileError ? sentences.old : sentences.broken);
+    });
     return {};
   },
-  preRun: [() => { Module.canvas = document.getElementById('canvas'); }],
   onReady() {
     document.getElementById('loading').className = 'done';
-    document.getElementById('canvas').focus({preventScroll: true});
+    Module.canvas.focus({preventScroll: true});
     markReady(window.marrow);
   },
-  onAbort() { fail('Marrow has stopped. Please load the page again.'); },
+  onAbort() { fail(sentences.stopped); },
 };
 
-if (missing) fail(missing);
+pageIsThere.then(() => {
+  Module.canvas = document.getElementById('canvas');
+  // The app asks for the same context again and gets this one.
+  const context = Module.canvas.getContext('webgl2', {alpha: false, antialias: true, depth: true});
+  if (!context) fail(sentences.webgl);
+});
 window.addEventListener('error', (event) => {
-  if (event.target.tagName === 'SCRIPT') fail(broken);
+  if (event.target.tagName === 'SCRIPT') fail(sentences.broken);
 }, true);

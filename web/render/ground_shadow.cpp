@@ -6,10 +6,11 @@
 namespace marrow {
 namespace {
 
-constexpr GLsizei kSize = 128;       // of the picture, texels
-constexpr float kBlurShare = 0.30f;  // room for the blur around the bodies, of their size
-constexpr float kGapShare = 0.06f;   // between the lowest point and the ground
-constexpr float kLean = 0.30f;       // how far the ground leans to a viewer at its height
+constexpr GLsizei kSize = 128;          // of the picture, texels
+constexpr float kBlurShare = 0.30f;     // room for the blur around the bodies, of their size
+constexpr float kGapShare = 0.06f;      // between the lowest point and the ground
+constexpr float kLean = 0.30f;          // how far the ground leans to a viewer at its height
+constexpr float kHighestShare = 0.14f;  // of the bodies' height, that the shadow may rise by
 constexpr Rgba kColor{0.20f, 0.20f, 0.34f, 0.34f};
 
 struct Box {
@@ -102,9 +103,12 @@ void GroundShadow::draw(const Scene& scene, GpuCache& cache, Float3 clip_scale) 
   }
   const Box box = shadowBox(scene);
   const Vec3 back = scene.camera.axes()[2];
-  // The lean is for the standard views; in between the ground can be seen as it is.
+  // Only as much as keeps the shadow below the bodies; in between the standard views the ground can
+  // be seen as it is.
   const double along = std::max(std::abs(back.x), std::abs(back.z));
-  const double lean = kLean * std::pow(along, 6);
+  const double extent = std::abs(back.x) * box.half_width + std::abs(back.z) * box.half_depth;
+  const double most = kHighestShare * (scene.high.y - scene.low.y) / std::max(extent, 1e-9);
+  const double lean = std::min<double>(kLean, most) * std::pow(along, 6);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glDisable(GL_CULL_FACE);

@@ -25,7 +25,14 @@ void Presenter::draw(const App& app) {
   }
   ImGui_ImplOpenGL3_NewFrame();
   renderer_.draw(app.scene());
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  // The panels were laid out before the texture of this context was made.
+  ImDrawData* panels = ImGui::GetDrawData();
+  for (int i = 0; i < panels->CmdListsCount; ++i) {
+    for (ImDrawCmd& command : panels->CmdLists[i]->CmdBuffer) {
+      command.TextureId = ImGui::GetIO().Fonts->TexID;
+    }
+  }
+  ImGui_ImplOpenGL3_RenderDrawData(panels);
 }
 
 }  // namespace marrow
