@@ -1,6 +1,8 @@
 // How long each stage took. The core has no clock of its own: whoever calls brings one.
 #pragma once
 
+#include <algorithm>
+#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -20,10 +22,17 @@ class Stopwatch {
   Stopwatch(Clock clock, Timings& timings)
       : clock_(clock), timings_(timings), start_ms_(clock ? clock() : 0), lap_ms_(start_ms_) {}
 
-  /// Ends the stage that began at the last lap.
+  /// Ends the stage that began at the last lap; a stage that runs again adds to its time.
   void lap(const char* stage) {
     const double now_ms = clock_ ? clock_() : 0;
-    timings_.stages_ms.emplace_back(stage, now_ms - lap_ms_);
+    auto& stages = timings_.stages_ms;
+    const auto same = std::find_if(stages.begin(), stages.end(),
+                                   [&](const auto& s) { return std::strcmp(s.first, stage) == 0; });
+    if (same != stages.end()) {
+      same->second += now_ms - lap_ms_;
+    } else {
+      stages.emplace_back(stage, now_ms - lap_ms_);
+    }
     timings_.total_ms = now_ms - start_ms_;
     lap_ms_ = now_ms;
   }

@@ -3,14 +3,25 @@
 #include <algorithm>
 #include <utility>
 
+#include "skeleton/inside.h"
+
 namespace marrow {
 namespace {
 
 // Products of lengths below it would underflow; kLargestCoordinate guards the other end.
 constexpr double kSmallestPerimeter = 1e-50;
 
+constexpr int kOutlineAttempts = 6;
+
+bool isInside(const Axis& axis, const std::vector<Vec2>& outline) {
+  return std::all_of(axis.edges.begin(), axis.edges.end(), [&](const auto& edge) {
+    return segmentInside(outline, axis.points[edge[0]], axis.points[edge[1]]);
+  });
+}
+
 Result<PartSkeleton> jointsOf(const Part& part, const JointOptions& options) {
-  return placeJoints(part.outline.polygon, part.axis, part.outline.scale(), options);
+  return placeJoints(part.outline.polygon, part.axis, part.outline.scale(), options,
+                     &part.outline.dense);
 }
 
 void setSkeleton(Part& part, PartSkeleton skeleton) {
@@ -51,21 +62,28 @@ Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& optio
   Part part;
   Stopwatch watch(clock, part.timings);
 
-  auto outline = makeOutline(stroke, options.outline);
-  if (!outline) return outline.error();
-  if (outline->perimeter < kSmallestPerimeter) return Status::noArea;
-  part.outline = std::move(*outline);
-  watch.lap("outline");
+  OutlineOptions outlining = options.outline;
+  for (int attempt = 1;; ++attempt) {
+    auto outline = makeOutline(stroke, outlining);
+    if (!outline) return outline.error();
+    if (outline->perimeter < kSmallestPerimeter) return Status::noArea;
+    part.outline = std::move(*outline);
+    watch.lap("outline");
 
-  auto straight = straightSkeleton(part.outline.polygon, options.straight_skeleton);
-  if (!straight) return straight.error();
-  part.straight_skeleton = std::move(*straight);
-  watch.lap("straightSkeleton");
+    auto straight = straightSkeleton(part.outline.polygon, options.straight_skeleton);
+    if (!straight) return straight.error();
+    part.straight_skeleton = std::move(*straight);
+    watch.lap("straightSkeleton");
 
-  auto axis = extractAxis(part.outline.polygon, part.straight_skeleton, options.axis);
-  if (!axis) return axis.error();
-  part.axis = std::move(*axis);
-  watch.lap("axis");
+    auto axis = extractAxis(part.outline.polygon, part.straight_skeleton, options.axis);
+    if (!axis) return axis.error();
+    part.axis = std::move(*axis);
+    watch.lap("axis");
+
+    // The simplified polygon may bulge out of thin places of what was drawn, and the axis with it.
+    if (attempt == kOutlineAttempts || isInside(part.axis, part.outline.dense)) break;
+    outlining.tolerance /= 4;
+  }
 
   auto skeleton = jointsOf(part, options.joints);
   if (!skeleton) return skeleton.error();

@@ -151,12 +151,12 @@ bool measure(const std::vector<Vec2>& polygon, std::vector<BranchSample>& sample
   return true;
 }
 
-bool staysInside(const std::vector<Vec2>& polygon, const std::vector<BranchSample>& samples) {
+bool staysInside(const Region& region, const std::vector<BranchSample>& samples) {
   for (size_t i = 0; i + 1 < samples.size(); ++i) {
     const BranchSample &a = samples[i], &b = samples[i + 1];
     // Between two inscribed balls that overlap the segment is inside.
-    if (distance(a.point, b.point) < 0.999 * (a.radius + b.radius)) continue;
-    if (!segmentInside(polygon, a.point, b.point)) return false;
+    if (!region.outline && distance(a.point, b.point) < 0.999 * (a.radius + b.radius)) continue;
+    if (!segmentInside(region, a.point, b.point)) return false;
   }
   return true;
 }
@@ -197,8 +197,8 @@ Split largestError(const std::vector<BranchSample>& samples, size_t first, size_
 }
 
 /// Inside the region Ω, at a distance from its border, and inside the polygon.
-bool boneFits(const std::vector<Vec2>& polygon, const std::vector<BranchSample>& samples,
-              size_t first, size_t last) {
+bool boneFits(const Region& region, const std::vector<BranchSample>& samples, size_t first,
+              size_t last) {
   const Vec2 a = samples[first].point, chord = samples[last].point - a;
   for (size_t i = first + 1; i < last; ++i) {
     const BranchSample& s = samples[i];
@@ -207,25 +207,24 @@ bool boneFits(const std::vector<Vec2>& polygon, const std::vector<BranchSample>&
     const double offset = -cross(chord, s.point - a) / across;
     if (offset > kCorridor * s.left || -offset > kCorridor * s.right) return false;
   }
-  return segmentInside(polygon, a, samples[last].point);
+  return segmentInside(region, a, samples[last].point);
 }
 
 }  // namespace
 
-std::vector<BranchSample> sampleBranch(const std::vector<Vec2>& polygon,
-                                       const std::vector<Vec2>& axis, double step) {
+std::vector<BranchSample> sampleBranch(const Region& region, const std::vector<Vec2>& axis,
+                                       double step) {
   if (axis.size() > 2) {
     std::vector<BranchSample> samples =
         walk(splineThrough(divided(axis, kSplineSpan * step)), step, false);
-    if (measure(polygon, samples) && staysInside(polygon, samples)) return samples;
+    if (measure(region.polygon, samples) && staysInside(region, samples)) return samples;
   }
   std::vector<BranchSample> samples = walk(axis, step, true);
-  measure(polygon, samples);
+  measure(region.polygon, samples);
   return samples;
 }
 
-std::vector<size_t> boundedDp(const std::vector<Vec2>& polygon,
-                              const std::vector<BranchSample>& samples,
+std::vector<size_t> boundedDp(const Region& region, const std::vector<BranchSample>& samples,
                               const BoundedDpOptions& options) {
   struct Interval {
     size_t first, last;
@@ -240,7 +239,7 @@ std::vector<size_t> boundedDp(const std::vector<Vec2>& polygon,
       const Split split =
           largestError(samples, interval.first, interval.last, options.shape_weight);
       bool divide = split.error > interval.epsilon;
-      if (!divide && !boneFits(polygon, samples, interval.first, interval.last)) {
+      if (!divide && !boneFits(region, samples, interval.first, interval.last)) {
         divide = true;
         interval.epsilon = std::max(split.error, interval.epsilon * options.shrink);
       }

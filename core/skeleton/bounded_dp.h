@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "skeleton/inside.h"
 
 namespace marrow {
 
@@ -21,12 +22,12 @@ struct BranchSample {
 
 /// Samples of a branch at even distances of about `step`, first and last point included.
 ///
-/// axis: the branch's points; its edges lie inside the polygon. Three or more are joined by a
-/// centripetal Catmull–Rom spline; where that would leave the polygon, the samples follow the
-/// polyline and contain all of its points. Every segment between samples lies inside the polygon.
+/// axis: the branch's points; its edges lie inside the region. Three or more are joined by a
+/// centripetal Catmull–Rom spline; where that would leave the region, the samples follow the
+/// polyline and contain all of its points. Every segment between samples lies inside it.
 /// At most kMaxSamples + the axis points.
-std::vector<BranchSample> sampleBranch(const std::vector<Vec2>& polygon,
-                                       const std::vector<Vec2>& axis, double step);
+std::vector<BranchSample> sampleBranch(const Region& region, const std::vector<Vec2>& axis,
+                                       double step);
 constexpr size_t kMaxSamples = 256;
 
 struct BoundedDpOptions {
@@ -36,7 +37,7 @@ struct BoundedDpOptions {
 };
 
 /// The indices of the samples to keep, ascending, first and last included. Every segment between
-/// two of them lies inside the polygon. A larger epsilon keeps a subset.
+/// two of them lies inside the region. A larger epsilon keeps a subset.
 ///
 /// Sections count up to 1.1 inscribed radii on either side (beyond, the line across looks into
 /// another limb), and errors count for less where a bone would be short against its balls.
@@ -44,8 +45,7 @@ struct BoundedDpOptions {
 /// are measured with the threshold × shrink, or with that error where it is larger. (Shrinking the
 /// threshold of the whole branch, as Algorithm 2 does, adds joints where none is needed, and a
 /// larger start threshold can end with more of them.)
-std::vector<size_t> boundedDp(const std::vector<Vec2>& polygon,
-                              const std::vector<BranchSample>& samples,
+std::vector<size_t> boundedDp(const Region& region, const std::vector<BranchSample>& samples,
                               const BoundedDpOptions& options);
 
 }  // namespace marrow

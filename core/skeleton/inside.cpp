@@ -28,6 +28,11 @@ bool segmentInside(const std::vector<Vec2>& polygon, Vec2 a, Vec2 b) {
   return true;
 }
 
+bool segmentInside(const Region& region, Vec2 a, Vec2 b) {
+  return segmentInside(region.polygon, a, b) &&
+         (!region.outline || segmentInside(*region.outline, a, b));
+}
+
 bool segmentClear(const std::vector<Vec2>& polygon, Vec2 a, Vec2 b, double clearance) {
   // Two segments that do not cross are nearest to each other at an end of one of them.
   const Vec2 along = b - a;

@@ -12,9 +12,8 @@ constexpr double kSampleStep = 10;  // units at the reference perimeter
 
 class Placement {
  public:
-  Placement(const std::vector<Vec2>& polygon, const Axis& axis, double scale,
-            const JointOptions& options)
-      : polygon_(polygon), axis_(axis), step_(kSampleStep * scale) {
+  Placement(const Region& region, const Axis& axis, double scale, const JointOptions& options)
+      : region_(region), axis_(axis), step_(kSampleStep * scale) {
     dp_.epsilon = options.epsilon_s * scale;
     dp_.shape_weight = options.shape_weight;
     dp_.shrink = options.shrink;
@@ -30,7 +29,7 @@ class Placement {
     std::vector<uint32_t> joint_of(count);
     for (uint32_t i = 0; i < count; ++i) {
       if (neighbours_[i].size() == 2) continue;
-      joint_of[i] = addJoint(axis_.points[i], distanceToBorder(polygon_, axis_.points[i]));
+      joint_of[i] = addJoint(axis_.points[i], distanceToBorder(region_.polygon, axis_.points[i]));
     }
     for (uint32_t start = 0; start < count; ++start) {
       if (neighbours_[start].size() == 2) continue;
@@ -69,8 +68,8 @@ class Placement {
     }
     std::vector<Vec2> points;
     for (const uint32_t i : branch) points.push_back(axis_.points[i]);
-    const auto samples = sampleBranch(polygon_, points, step_);
-    const auto kept = boundedDp(polygon_, samples, dp_);
+    const auto samples = sampleBranch(region_, points, step_);
+    const auto kept = boundedDp(region_, samples, dp_);
     uint32_t last = from;
     for (size_t k = 1; k + 1 < kept.size(); ++k) {
       const uint32_t joint = addJoint(samples[kept[k]].point, samples[kept[k]].radius);
@@ -93,7 +92,7 @@ class Placement {
     }
   }
 
-  const std::vector<Vec2>& polygon_;
+  Region region_;
   const Axis& axis_;
   double step_;
   BoundedDpOptions dp_;
@@ -116,12 +115,12 @@ const char* toString(JointKind kind) {
 }
 
 Result<PartSkeleton> placeJoints(const std::vector<Vec2>& polygon, const Axis& axis, double scale,
-                                 const JointOptions& options) {
+                                 const JointOptions& options, const std::vector<Vec2>* outline) {
   if (polygon.size() < 3 || axis.edges.empty() || axis.points.size() != axis.edges.size() + 1) {
     return Status::skeletonFailed;
   }
   if (!std::isfinite(scale) || scale < 0) return Status::skeletonFailed;
-  return Placement(polygon, axis, scale, options).run();
+  return Placement({polygon, outline}, axis, scale, options).run();
 }
 
 }  // namespace marrow

@@ -36,8 +36,11 @@ struct PartSkeleton {
 };
 
 /// scale: what epsilon_s is multiplied by, Outline::scale().
+/// outline: what the polygon was simplified from, if bones have to stay inside that too; the axis
+/// must do so.
 /// Every bone lies inside the polygon. Errors: skeletonFailed.
 Result<PartSkeleton> placeJoints(const std::vector<Vec2>& polygon, const Axis& axis, double scale,
-                                 const JointOptions& options = {});
+                                 const JointOptions& options = {},
+                                 const std::vector<Vec2>* outline = nullptr);
 
 }  // namespace marrow

@@ -6,9 +6,11 @@
 #include <string>
 
 #include "io/stroke_json.h"
+#include "skeleton/inside.h"
 #include "sketch/polygon.h"
 #include "support/catch.h"
 #include "support/drawings.h"
+#include "support/strokes.h"
 
 using namespace marrow;
 
@@ -187,5 +189,24 @@ TEST_CASE("part: every real stroke is a sound part", "[part]") {
     REQUIRE(stroke);
     requireSound(must(buildPart(stroke->points)));
     requireSound(must(buildPart(stroke->points, previewOptions())));
+  }
+}
+
+TEST_CASE("part: no bone leaves what was drawn, whatever the setting", "[part]") {
+  for (const auto& stroke : strokes::strokeFamilies(5, 300)) {
+    INFO(stroke.name);
+    const auto part = buildPart(stroke.points);
+    REQUIRE(part);
+    for (const double epsilon_s : {1.0, 5.0, 100.0}) {
+      JointOptions options;
+      options.epsilon_s = epsilon_s;
+      const Part other = must(withJoints(*part, options));
+      for (const auto& bone : other.skeleton.bones) {
+        const Vec2 a = other.skeleton.joints[bone[0]].position;
+        const Vec2 b = other.skeleton.joints[bone[1]].position;
+        CHECK(segmentInside(other.outline.dense, a, b));
+        CHECK(segmentInside(other.outline.polygon, a, b));
+      }
+    }
   }
 }
