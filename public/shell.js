@@ -81,12 +81,17 @@ var Module = {
   onAbort() { fail(sentences.stopped); },
 };
 
+// Without WebAssembly the script itself would stop with an error that nobody understands.
+if (hasWasm) {
+  const script = document.createElement('script');
+  script.src = 'marrow.js';
+  script.onerror = () => fail(sentences.broken);
+  document.head.appendChild(script);
+}
+
 pageIsThere.then(() => {
   Module.canvas = document.getElementById('canvas');
   // The app asks for the same context again and gets this one.
   const context = Module.canvas.getContext('webgl2', {alpha: false, antialias: true, depth: true});
   if (!context) fail(sentences.webgl);
 });
-window.addEventListener('error', (event) => {
-  if (event.target.tagName === 'SCRIPT') fail(sentences.broken);
-}, true);
