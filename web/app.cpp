@@ -78,17 +78,15 @@ App::FrameResult App::frame(double now_ms) {
 }
 
 void App::takeInput() {
-  // A button that goes down and up within one frame would be missed by the panels.
-  bool button_changed = false;
+  // The panels see where a pointer is and whether it is down once a frame: what comes after a
+  // change waits for the next one.
+  bool panels_busy = false;
   while (!input_.empty()) {
     const InputEvent event = input_.front();
-    if (isButton(event)) {
-      if (button_changed) break;
-      button_changed = true;
-    }
+    if (panels_busy && std::holds_alternative<PointerEvent>(event)) break;
     input_.pop_front();
     if (const auto* pointer = std::get_if<PointerEvent>(&event)) {
-      handle(*pointer);
+      panels_busy = handle(*pointer) && isButton(*pointer);
     } else if (const auto* key = std::get_if<KeyEvent>(&event)) {
       handle(*key);
     } else if (const auto* wheel = std::get_if<WheelEvent>(&event)) {
@@ -103,7 +101,7 @@ void App::takeInput() {
   }
 }
 
-void App::handle(const PointerEvent& event) {
+bool App::handle(const PointerEvent& event) {
   const Surroundings around{[this](Vec2 pixel) { return panels_.panelAt(pixel); }, pivot()};
   const bool was_stroke = tools_.drawing().active() && tools_.drawing().isStroke();
   const Tools::Outcome outcome = tools_.pointer(event, ui_, around);
@@ -121,6 +119,7 @@ void App::handle(const PointerEvent& event) {
     apply(*outcome.command);
   }
   if (outcome.click_px) select(*outcome.click_px);
+  return outcome.to_panels;
 }
 
 void App::handle(const KeyEvent& event) {

@@ -61,7 +61,7 @@ class App {
 
  private:
   void takeInput();
-  void handle(const PointerEvent& event);
+  bool handle(const PointerEvent& event);  // whether the panels had it
   void handle(const KeyEvent& event);
   void applyRequests();
   void apply(const Command& command);
