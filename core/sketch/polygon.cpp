@@ -1,6 +1,7 @@
 #include "sketch/polygon.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "sketch/edge_grid.h"
@@ -93,6 +94,7 @@ Vec2 areaCentroid(const std::vector<Vec2>& polygon) {
 
 bool isSimple(const std::vector<Vec2>& polygon) {
   bool simple = polygon.size() >= 3;
+  for (Vec2 point : polygon) simple = simple && std::isfinite(point.x) && std::isfinite(point.y);
   if (simple) {
     forEachFault(polygon, [&](uint32_t, uint32_t) {
       simple = false;
