@@ -19,56 +19,17 @@ class Membrane {
     collectTriangles();
   }
 
-  /// u in the interior points; empty where it is not positive everywhere.
-  /// least_cotangent: smaller ones are raised to it. Weights that are positive make u positive.
-  std::vector<double> solve(double least_cotangent) {
-    const std::vector<uint32_t> order = nestedDissection(interior(), neighbours());
-    std::vector<uint32_t> place(count_);
-    for (uint32_t k = 0; k < count_; ++k) place[order[k]] = k;
-
-    SymmetricMatrix matrix;
-    matrix.diagonal.resize(count_);
-    matrix.starts.resize(count_ + 1, 0);
-    matrix.rows.reserve(around_.size());
-    matrix.values.reserve(around_.size());
-    std::vector<double> load(count_);
-    std::vector<uint32_t> entry_of(count_, 0);  // valid where not below the column's start
-    for (uint32_t k = 0; k < count_; ++k) {
-      const uint32_t v = order[k], start = matrix.starts[k];
-      double diagonal = 0, area = 0;
-      for (uint32_t i = starts_[v]; i < starts_[v + 1]; ++i) {
-        const uint32_t t = around_[i] / 3, corner = around_[i] % 3;
-        for (const uint32_t c : {next(corner), next(next(corner))}) {
-          // Half the cotangent of the angle across the edge to c.
-          const double weight = std::max(cotangents_[t][3 - corner - c], least_cotangent) / 2;
-          diagonal += weight;
-          const uint32_t far = flat_.triangles[t][c];
-          if (far < border_) continue;
-          const uint32_t row = place[far - border_];
-          if (row >= k) continue;
-          uint32_t& entry = entry_of[row];
-          if (entry < start || entry >= matrix.rows.size() || matrix.rows[entry] != row) {
-            entry = static_cast<uint32_t>(matrix.rows.size());
-            matrix.rows.push_back(row);
-            matrix.values.push_back(0);
-          }
-          matrix.values[entry] -= weight;
-        }
-        area += areas_[t];
-      }
-      matrix.diagonal[k] = diagonal;
-      matrix.starts[k + 1] = static_cast<uint32_t>(matrix.rows.size());
-      load[k] = 2 * area / 3;
-    }
-
-    if (!marrow::solve(matrix, load)) return {};
-    std::vector<double> u(count_);
-    for (uint32_t k = 0; k < count_; ++k) {
-      if (!(load[k] > 0) || !std::isfinite(load[k])) return {};
-      u[order[k]] = load[k];
-    }
-    return u;
+  /// Interior points in the order in which they should be eliminated.
+  std::vector<uint32_t> eliminationOrder() const {
+    return nestedDissection({flat_.points.begin() + border_, flat_.points.end()}, neighbours());
   }
+
+  struct System {
+    SymmetricMatrix matrix;
+    std::vector<double> load;
+  };
+  /// least_cotangent: smaller ones are raised to it. Weights that are positive make u positive.
+  System assemble(const std::vector<uint32_t>& order, double least_cotangent) const;
 
  private:
   static uint32_t next(uint32_t corner) { return corner == 2 ? 0 : corner + 1; }
@@ -105,10 +66,6 @@ class Membrane {
     }
   }
 
-  std::vector<Vec2> interior() const {
-    return {flat_.points.begin() + border_, flat_.points.end()};
-  }
-
   /// Around an interior point each neighbour follows it in exactly one triangle.
   Adjacency neighbours() const {
     Adjacency adjacency;
@@ -131,6 +88,61 @@ class Membrane {
   std::vector<double> areas_;
   std::vector<uint32_t> starts_, around_;
 };
+
+Membrane::System Membrane::assemble(const std::vector<uint32_t>& order,
+                                    double least_cotangent) const {
+  std::vector<uint32_t> place(count_);
+  for (uint32_t k = 0; k < count_; ++k) place[order[k]] = k;
+  System system;
+  SymmetricMatrix& matrix = system.matrix;
+  matrix.diagonal.resize(count_);
+  matrix.starts.resize(count_ + 1, 0);
+  matrix.rows.reserve(around_.size());
+  matrix.values.reserve(around_.size());
+  system.load.resize(count_);
+  std::vector<uint32_t> entry_of(count_, 0);  // of a row; stale unless the entry says the same row
+  for (uint32_t k = 0; k < count_; ++k) {
+    const uint32_t v = order[k], start = matrix.starts[k];
+    double diagonal = 0, area = 0;
+    for (uint32_t i = starts_[v]; i < starts_[v + 1]; ++i) {
+      const uint32_t t = around_[i] / 3, corner = around_[i] % 3;
+      for (const uint32_t c : {next(corner), next(next(corner))}) {
+        // Half the cotangent of the angle across the edge to c.
+        const double weight = std::max(cotangents_[t][3 - corner - c], least_cotangent) / 2;
+        diagonal += weight;
+        const uint32_t far = flat_.triangles[t][c];
+        if (far < border_) continue;
+        const uint32_t row = place[far - border_];
+        if (row >= k) continue;
+        uint32_t& entry = entry_of[row];
+        if (entry < start || entry >= matrix.rows.size() || matrix.rows[entry] != row) {
+          entry = static_cast<uint32_t>(matrix.rows.size());
+          matrix.rows.push_back(row);
+          matrix.values.push_back(0);
+        }
+        matrix.values[entry] -= weight;
+      }
+      area += areas_[t];
+    }
+    matrix.diagonal[k] = diagonal;
+    matrix.starts[k + 1] = static_cast<uint32_t>(matrix.rows.size());
+    system.load[k] = 2 * area / 3;
+  }
+  return system;
+}
+
+/// u in the interior points; empty where it is not positive everywhere.
+std::vector<double> solveMembrane(const Membrane& membrane, const std::vector<uint32_t>& order,
+                                  double least_cotangent) {
+  auto [matrix, load] = membrane.assemble(order, least_cotangent);
+  if (!solve(matrix, load)) return {};
+  std::vector<double> u(order.size());
+  for (size_t k = 0; k < order.size(); ++k) {
+    if (!(load[k] > 0) || !std::isfinite(load[k])) return {};
+    u[order[k]] = load[k];
+  }
+  return u;
+}
 
 /// False where an edge across the shape joins two border points: front and back would meet in it.
 bool isFreeOfChords(const Triangulation& flat) {
@@ -183,9 +195,10 @@ Result<Mesh> inflate(const Triangulation& flat, double inscribed_radius,
 
   // Between Delaunay triangles all weights are positive as they are.
   constexpr double kUnchanged = -HUGE_VAL, kPositive = 1e-6;
-  Membrane membrane(flat);
-  std::vector<double> heights = membrane.solve(kUnchanged);
-  if (heights.empty()) heights = membrane.solve(kPositive);
+  const Membrane membrane(flat);
+  const std::vector<uint32_t> order = membrane.eliminationOrder();
+  std::vector<double> heights = solveMembrane(membrane, order, kUnchanged);
+  if (heights.empty()) heights = solveMembrane(membrane, order, kPositive);
   if (heights.empty()) return {Status::meshFailed, "the flat triangles cannot be inflated"};
 
   double scale = 1;

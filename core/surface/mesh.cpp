@@ -205,21 +205,30 @@ std::vector<std::string> validate(const Mesh& mesh) {
 }
 
 std::vector<Vec3> vertexNormals(const Mesh& mesh) {
-  std::vector<Vec3> normals(mesh.positions.size());
+  const size_t count = mesh.positions.size();
+  // One array a coordinate: sums of pairs, which compilers make of Vec3, wait for each other.
+  std::vector<double> x(count, 0), y(count, 0), z(count, 0);
+  const auto add = [&](uint32_t v, Vec3 face, double weight) {
+    x[v] += face.x * weight;
+    y[v] += face.y * weight;
+    z[v] += face.z * weight;
+  };
   for (const auto& [i, j, k] : mesh.triangles) {
     const Vec3 a = mesh.positions[i], b = mesh.positions[j], c = mesh.positions[k];
     const Vec3 ab = b - a, bc = c - b, ca = a - c;
     const double ab2 = dot(ab, ab), bc2 = dot(bc, bc), ca2 = dot(ca, ca);
     const double product = ab2 * bc2 * ca2;
     if (!(product > 0)) continue;
-    const Vec3 face = cross(ab, bc) / product;
-    normals[i] = normals[i] + face * bc2;
-    normals[j] = normals[j] + face * ca2;
-    normals[k] = normals[k] + face * ab2;
+    const Vec3 face = cross(ab, bc) * (1 / product);
+    add(i, face, bc2);
+    add(j, face, ca2);
+    add(k, face, ab2);
   }
-  for (Vec3& normal : normals) {
-    const double size = length(normal);
-    normal = size > 0 ? normal / size : Vec3{0, 0, 1};
+  std::vector<Vec3> normals(count, Vec3{0, 0, 1});
+  for (size_t v = 0; v < count; ++v) {
+    const Vec3 sum = {x[v], y[v], z[v]};
+    const double size = length(sum);
+    if (size > 0) normals[v] = sum * (1 / size);
   }
   return normals;
 }

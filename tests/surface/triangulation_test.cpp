@@ -9,7 +9,6 @@
 #include "support/meshes.h"
 #include "support/strokes.h"
 #include "surface/border.h"
-#include "surface/constrained_delaunay.h"
 
 using namespace marrow;
 
@@ -310,25 +309,4 @@ TEST_CASE("border: a hundred thousand points come down to what was asked for", "
   const std::vector<Vec2> border = fitBorder(outline, 5, 400);
   CHECK(border.size() <= 400);
   CHECK(isSimple(border));
-}
-
-TEST_CASE("constrained Delaunay: points outside, or inserted from afar, are dealt with",
-          "[triangulation]") {
-  ConstrainedDelaunay mesh;
-  REQUIRE(mesh.start({{0, 0}, {10, 0}, {10, 10}, {9, 10}, {9, 1}, {1, 1}, {1, 10}, {0, 10}}, 20));
-  CHECK(mesh.insert({5, 5}, 0) == ConstrainedDelaunay::kNone);
-  CHECK(mesh.insert({50, 5}, 0) == ConstrainedDelaunay::kNone);
-  for (uint32_t hint = 0; hint < 6; ++hint) {
-    CHECK(mesh.insert({0.5, 9 - hint * 0.5}, hint) != ConstrainedDelaunay::kNone);
-    CHECK(mesh.insert({9.5, 9 - hint * 0.5}, hint) != ConstrainedDelaunay::kNone);
-  }
-  CHECK(mesh.triangles().size() == 2 * mesh.points().size() - 8 - 2);
-}
-
-TEST_CASE("constrained Delaunay: borders that cannot be triangulated are refused",
-          "[triangulation]") {
-  ConstrainedDelaunay mesh;
-  CHECK_FALSE(mesh.start({{0, 0}, {1, 0}}, 10));
-  CHECK_FALSE(mesh.start({{0, 0}, {1, 0}, {2, 0}, {3, 0}}, 10));
-  CHECK_FALSE(mesh.start({{0, 0}, {0, 1}, {1, 0}}, 10));
 }
