@@ -1,5 +1,6 @@
 // node tests/browser/run.mjs [SPEC.mjs…]: runs browser specs, all of them without an argument, in
-// headless Chromium against build/web. ONLY: a part of the names of the tests to run.
+// headless Chromium against build/web. ONLY: a part of the names of the tests to run. SITE: the
+// folder of another build.
 import {existsSync, readdirSync} from 'node:fs';
 import {basename, join, resolve} from 'node:path';
 import {pathToFileURL} from 'node:url';
@@ -18,6 +19,7 @@ async function runTest(browser, address, label, {options, run}) {
     const page = await context.newPage();
     const app = new App(page, await context.newCDPSession(page), address, label);
     if (options.init) await page.addInitScript(options.init);
+    if (options.prepare) await options.prepare(app);
     const late = new Promise((_, fail) => {
       timer = setTimeout(() => fail(new Error('took longer than 120 s')), 120_000);
     });
@@ -30,9 +32,9 @@ async function runTest(browser, address, label, {options, run}) {
 }
 
 async function main() {
-  const site = join(root, 'build/web');
+  const site = process.env.SITE ?? join(root, 'build/web');
   if (!existsSync(join(site, 'index.html'))) {
-    throw new Error('build/web is not there: scripts/test builds it.');
+    throw new Error(`${site} is not there: scripts/test builds it.`);
   }
   const folder = join(root, 'tests/browser');
   const specs = process.argv.length > 2
