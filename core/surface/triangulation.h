@@ -28,9 +28,9 @@ struct Triangulation {
 /// vertex), more on long edges.
 ///
 /// No edge but the border's joins two border points (an interior point is put there), so that
-/// nothing inside stays flat when inflated. The number of points is within about a fifth of the
-/// target's, from 48 up. Moving, scaling or mirroring the outline does so to the points, but for
-/// rounding.
+/// nothing inside stays flat when inflated. The number of points is usually within a sixth of the
+/// target; targets under 48 are taken as 48. Moving or scaling the outline moves or scales the
+/// points, but for rounding.
 /// outline: simple, counter-clockwise. Errors: tooFewPoints; meshFailed where it is not simple or
 /// front and back of it touch but for rounding.
 Result<Triangulation> triangulate(const std::vector<Vec2>& outline,
