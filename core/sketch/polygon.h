@@ -12,8 +12,8 @@ double signedArea(const std::vector<Vec2>& polygon);
 double perimeter(const std::vector<Vec2>& polygon);
 /// The centre of gravity of the area; the first vertex where there is no area.
 Vec2 areaCentroid(const std::vector<Vec2>& polygon);
-/// No two edges touch, but for neighbours at their common vertex; all numbers finite. Exact; O(n) in
-/// practice.
+/// No two edges touch, but for neighbours at their common vertex; all numbers finite. Exact; O(n)
+/// in practice.
 bool isSimple(const std::vector<Vec2>& polygon);
 /// For each edge (from the vertex with its index to the next) whether it is one of those that
 /// make isSimple() false.
