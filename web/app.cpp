@@ -79,14 +79,17 @@ App::FrameResult App::frame(double now_ms) {
 
 void App::takeInput() {
   // The panels see where a pointer is and whether it is down once a frame: what comes after a
-  // change waits for the next one.
-  bool panels_busy = false;
+  // change waits for the next one, and letting go waits for the way there.
+  bool panels_busy = false, panels_moved = false;
   while (!input_.empty()) {
     const InputEvent event = input_.front();
-    if (panels_busy && std::holds_alternative<PointerEvent>(event)) break;
+    const auto* pointer = std::get_if<PointerEvent>(&event);
+    if (pointer && (panels_busy || (panels_moved && pointer->type == PointerEvent::Type::up))) break;
     input_.pop_front();
-    if (const auto* pointer = std::get_if<PointerEvent>(&event)) {
-      panels_busy = handle(*pointer) && isButton(*pointer);
+    if (pointer) {
+      const bool to_panels = handle(*pointer);
+      panels_busy = to_panels && isButton(*pointer);
+      panels_moved |= to_panels;
     } else if (const auto* key = std::get_if<KeyEvent>(&event)) {
       handle(*key);
     } else if (const auto* wheel = std::get_if<WheelEvent>(&event)) {
