@@ -31,16 +31,23 @@ float toSlider(double value, double low, double middle, double high) {
 
 // Left and right of a slider's name: what its ends mean.
 void sliderTitle(const char* name, const char* ends) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 0));
   heading(name);
   const float width = ImGui::CalcTextSize(ends).x;
   ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
   softText(ends);
+  ImGui::PopStyleVar();
 }
 
-void drawName(const PartSource& part, Requests& requests) {
+// The part's name, which can be changed, and the buttons that delete the part and close the panel.
+void drawTitle(const PartSource& part, UiState& ui, Requests& requests) {
+  const float side = ui.touch() ? 44.0f : 34.0f;
+  const ImVec2 at = ImGui::GetCursorPos();
+  const float width = ImGui::GetContentRegionAvail().x;
   std::array<char, 128> text{};
   part.name.copy(text.data(), text.size() - 1);
-  ImGui::SetNextItemWidth(-1);
+  ImGui::SetCursorPosY(at.y + (side - ImGui::GetFrameHeight()) / 2);
+  ImGui::SetNextItemWidth(width - 2 * side - 8);
   ImGui::PushID(part.id.c_str());
   if (ImGui::InputText("##name", text.data(), text.size(),
                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll) ||
@@ -53,6 +60,23 @@ void drawName(const PartSource& part, Requests& requests) {
   ImGui::PopID();
   notePlace("name");
   tooltipForLastItem("The part's name");
+
+  ImGui::SetCursorPos({at.x + width - 2 * side, at.y});
+  ButtonLook look{"Delete this part  (X or Delete)"};
+  look.danger = true;
+  if (iconButton("delete", kIconTrash2, side, look)) {
+    requests.commands.push_back(DeletePart{part.id});
+  }
+  ImGui::SetCursorPos({at.x + width - side, at.y});
+  if (iconButton("close", kIconX, side, {"Close  (Esc)"})) {
+    if (ui.narrow()) {
+      ui.open.part = false;
+    } else {
+      ui.selected.clear();
+    }
+    requests.again = true;
+  }
+  ImGui::SetCursorPos({at.x, at.y + side + 8});
 }
 
 void drawSliders(const PartSource& part, UiState& ui, Requests& requests) {
@@ -110,26 +134,9 @@ void drawPartPanel(const PanelInput& input, UiState& ui, Requests& requests) {
   if (!index || !ui.open.part || input.drawing) return;
   const PartSource& part = *input.shown.parts[*index];
   beginPanel("part", ui.narrow() ? sheetBox(ui) : columnBox(ui));
-  const std::string title =
-      "Part " + std::to_string(*index + 1) + " of " + std::to_string(input.shown.parts.size());
-  if (titleRow(title.c_str(), ui)) {
-    if (ui.narrow()) {
-      ui.open.part = false;
-    } else {
-      ui.selected.clear();
-    }
-    requests.again = true;
-  }
-  drawName(part, requests);
+  drawTitle(part, ui, requests);
   drawSliders(part, ui, requests);
   drawColors(part, ui, requests);
-
-  ButtonLook look{"Delete this part  (X or Delete)"};
-  look.width = ImGui::GetContentRegionAvail().x;
-  look.danger = true;
-  if (textButton("delete", "Delete part", ui.touch() ? 44.0f : 34.0f, look)) {
-    requests.commands.push_back(DeletePart{part.id});
-  }
   endPanel();
 }
 

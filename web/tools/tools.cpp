@@ -47,13 +47,16 @@ bool Tools::cancelStroke() {
 
 bool Tools::penIsNear(double time_ms) const { return time_ms - last_pen_ms_ < kPenIsNear_ms; }
 
+bool Tools::hasJustBegun(double time_ms) const {
+  return time_ms - draw_.started_ms() < kStrokeIsYoung_ms ||
+         draw_.travelled_px() < kStrokeIsShort_px;
+}
+
 Tools::Owner Tools::ownerOfTouch(const PointerEvent& event) {
   if (penIsNear(event.time_ms)) return Owner::nobody;
   if (draw_.active()) {
-    const bool just_begun = event.time_ms - draw_.started_ms() < kStrokeIsYoung_ms ||
-                            draw_.travelled_px() < kStrokeIsShort_px;
-    if (drawing_kind_ != PointerKind::touch || !just_begun) return Owner::nobody;
-    return Owner::navigate;
+    const bool gives_way = drawing_kind_ == PointerKind::touch && hasJustBegun(event.time_ms);
+    return gives_way ? Owner::navigate : Owner::nobody;
   }
   return navigate_.active() ? Owner::navigate : Owner::draw;
 }
@@ -94,7 +97,7 @@ Tools::Outcome Tools::down(const PointerEvent& event, UiState& ui, const Surroun
       first.id = draw_.pointer();
       first.position_px = draw_.last_px();
       draw_.cancel();
-      ui.camera = camera_at_start_;
+      if (view_is_shown_) ui.camera = camera_at_start_;
       owners_[first.id] = Owner::navigate;
       navigate_.add(first, mode);
     }
@@ -116,6 +119,19 @@ void Tools::beginStroke(const PointerEvent& event, UiState& ui, const Surroundin
   }
   draw_.begin(event, front, ui.size);
   drawing_kind_ = event.kind;
+  view_is_shown_ = false;
+}
+
+bool Tools::showDrawingView(UiState& ui) {
+  if (view_is_shown_ || !draw_.isStroke()) return false;
+  view_is_shown_ = true;
+  ui.glide.stop();
+  if (ui.camera.angleFromFront() <= kFrontEnough_rad) {
+    ui.camera = draw_.camera();
+    return false;
+  }
+  ui.glide.start(ui.camera, draw_.camera(), ui.now_ms);
+  return true;
 }
 
 Tools::Outcome Tools::move(const PointerEvent& event, UiState& ui, const Surroundings& around) {
@@ -129,18 +145,13 @@ Tools::Outcome Tools::move(const PointerEvent& event, UiState& ui, const Surroun
     case Owner::panel:
       outcome.to_panels = true;
       break;
-    case Owner::draw: {
-      const bool was_stroke = draw_.isStroke();
+    case Owner::draw:
       draw_.move(event);
-      if (!was_stroke && draw_.isStroke() && ui.camera.angleFromFront() > kFrontEnough_rad) {
-        outcome.turns_to_front = true;
-        ui.glide.start(ui.camera, draw_.camera(), ui.now_ms);
-      } else if (!was_stroke && draw_.isStroke()) {
-        ui.glide.stop();
-        ui.camera = draw_.camera();
+      // A finger may be the first of two: the view waits until it is clear that it draws.
+      if (drawing_kind_ != PointerKind::touch || !hasJustBegun(event.time_ms)) {
+        outcome.turns_to_front = showDrawingView(ui);
       }
       break;
-    }
     case Owner::navigate:
       navigate_.move(event, ui.camera, ui.size, around.pivot);
       break;
@@ -165,9 +176,12 @@ Tools::Outcome Tools::up(const PointerEvent& event, UiState& ui) {
   if (owner != Owner::draw || !draw_.active()) return outcome;
   if (event.type == PointerEvent::Type::cancel) {
     draw_.cancel();
-    ui.glide.stop();
-    ui.camera = camera_at_start_;
+    if (view_is_shown_) {
+      ui.glide.stop();
+      ui.camera = camera_at_start_;
+    }
   } else if (draw_.isStroke()) {
+    outcome.turns_to_front = showDrawingView(ui);
     outcome.command = draw_.end();
   } else {
     draw_.cancel();

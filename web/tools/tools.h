@@ -47,11 +47,16 @@ class Tools {
   Owner ownerOfTouch(const PointerEvent& event);
   void beginStroke(const PointerEvent& event, UiState& ui, const Surroundings& around);
   bool penIsNear(double time_ms) const;
+  /// Young or short enough to be the first finger of a gesture.
+  bool hasJustBegun(double time_ms) const;
+  /// Turns the view to where the stroke is drawn, once; whether it was another one.
+  bool showDrawingView(UiState& ui);
 
   DrawTool draw_;
   NavigateTool navigate_;
   std::map<int, Owner> owners_;
-  Camera camera_at_start_;  // where the view was when the stroke began
+  Camera camera_at_start_;      // where the view was when the stroke began
+  bool view_is_shown_ = false;  // the view has turned to where the stroke is drawn
   PointerKind drawing_kind_ = PointerKind::mouse;
   double last_pen_ms_ = -1e9;
 };
