@@ -84,7 +84,8 @@ void App::takeInput() {
   while (!input_.empty()) {
     const InputEvent event = input_.front();
     const auto* pointer = std::get_if<PointerEvent>(&event);
-    if (pointer && (panels_busy || (panels_moved && pointer->type == PointerEvent::Type::up))) break;
+    if (pointer && (panels_busy || (panels_moved && pointer->type == PointerEvent::Type::up)))
+      break;
     input_.pop_front();
     if (pointer) {
       const bool to_panels = handle(*pointer);
