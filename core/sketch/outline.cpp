@@ -27,6 +27,12 @@ constexpr int kCoarseBits = 16;
 constexpr size_t kMostWork = 10000000;  // edges looked at on the way around
 constexpr int kCoarserBits = 3;
 constexpr int kCoarsestBits = 10;
+// More vertices than these are lines closer than a screen can show, nothing that anybody has drawn
+// on purpose: on ever coarser lattices what is close grows together.
+constexpr size_t kMostDense = 6000;
+constexpr size_t kMostInPolygon = 1200;
+constexpr int kMostBits = 9;
+constexpr int kFewestBits = 5;
 
 constexpr double kStepsAcross = 0.2;  // × OutlineOptions::samples, over the shape's diameter
 constexpr double kMostFiner = 8;      // × OutlineOptions::samples, for thin shapes
@@ -180,7 +186,7 @@ Loop closedLoop(const std::vector<Vec2>& stroke) {
   std::vector<Vec2> lattice = snapped(stroke, bits);
   dropRepeats(lattice);
   Loop loop;
-  loop.crossed_itself = !isSimple(lattice);
+  loop.crossed_itself = !isSimple(lattice, kMostWork);
   if (!loop.crossed_itself) {
     loop.points = many ? unsnapped(std::move(lattice), bits) : stroke;
     if (signedArea(loop.points) < 0) std::reverse(loop.points.begin(), loop.points.end());
@@ -220,6 +226,33 @@ LocalAndModel finished(const Source& source, const std::vector<Vec2>& polygon) {
   for (const uint32_t i : withoutCollinear(polygon, source.near)) both.local.push_back(polygon[i]);
   both.model = source.frame.toModel(both.local);
   return isGood(both.model) ? both : LocalAndModel{};
+}
+
+/// Without spikes, and with the steps that suit the shape.
+Source sourceOf(std::vector<Vec2> loop, const OutlineOptions& options, double pixel,
+                const Frame& frame, double resolution) {
+  double length_of_loop = perimeter(loop), width = meanWidth(loop);
+  const double samples = std::max(8, options.samples);
+  std::vector<Vec2> smooth = withoutSpikes(
+      loop, std::min(kSpikeBySteps * length_of_loop / samples, kSpikeByWidth * width));
+  if (smooth.size() < loop.size() && isGood(smooth) && !isThin(smooth)) {
+    loop = std::move(smooth);
+    length_of_loop = perimeter(loop);
+    width = meanWidth(loop);
+  }
+
+  const double diameter = diameterOf(loop);
+  const double even_step = length_of_loop / samples;
+  const double step = std::max(std::min(kPixelsPerStep * pixel, length_of_loop / 40),
+                               std::min({even_step, diameter / (kStepsAcross * samples),
+                                         std::max(width, even_step / kMostFiner)}));
+  const double tolerance =
+      std::max(std::min(kToleranceByPixel * pixel, length_of_loop / 400),
+               std::min({options.tolerance * length_of_loop / kReferencePerimeter,
+                         kToleranceByWidth * width, kToleranceAcross * diameter}));
+
+  const double near = std::max(kOnLine * diameter, 4 * resolution);
+  return {std::move(loop), frame, step, tolerance, near};
 }
 
 LocalAndModel makeDense(const Source& source) {
@@ -274,32 +307,19 @@ Result<Outline> makeOutline(const std::vector<Vec2>& stroke, const OutlineOption
   Loop loop = closedLoop(trimOvershoot(points));
   if (loop.points.size() < 3 || isThin(loop.points)) return Status::noArea;
 
-  double length_of_loop = perimeter(loop.points), width = meanWidth(loop.points);
-  const double samples = std::max(8, options.samples);
-  std::vector<Vec2> smooth = withoutSpikes(
-      loop.points, std::min(kSpikeBySteps * length_of_loop / samples, kSpikeByWidth * width));
-  if (smooth.size() < loop.points.size() && isGood(smooth) && !isThin(smooth)) {
-    loop.points = std::move(smooth);
-    length_of_loop = perimeter(loop.points);
-    width = meanWidth(loop.points);
-  }
-
-  const double diameter = diameterOf(loop.points);
-  const double even_step = length_of_loop / samples;
-  const double step = std::max(std::min(kPixelsPerStep * pixel, length_of_loop / 40),
-                               std::min({even_step, diameter / (kStepsAcross * samples),
-                                         std::max(width, even_step / kMostFiner)}));
-  const double tolerance =
-      std::max(std::min(kToleranceByPixel * pixel, length_of_loop / 400),
-               std::min({options.tolerance * length_of_loop / kReferencePerimeter,
-                         kToleranceByWidth * width, kToleranceAcross * diameter}));
-
-  const double near = std::max(kOnLine * diameter, 4 * frame.resolution(box));
-  const Source source{std::move(loop.points), frame, step, tolerance, near};
-  LocalAndModel dense = makeDense(source);
-  if (dense.model.empty()) return Status::noArea;
   Outline outline;
-  outline.polygon = makePolygon(source, dense);
+  LocalAndModel dense;
+  for (int bits = kMostBits;; --bits) {
+    const Source source = sourceOf(loop.points, options, pixel, frame, frame.resolution(box));
+    dense = makeDense(source);
+    if (dense.model.empty()) return Status::noArea;
+    outline.polygon = makePolygon(source, dense);
+    const bool few = dense.model.size() <= kMostDense && outline.polygon.size() <= kMostInPolygon;
+    if (few || bits < kFewestBits) break;
+    auto coarser = outerBoundary(snapped(loop.points, bits));
+    if (!coarser || coarser->size() < 3) break;
+    loop.points = unsnapped(std::move(*coarser), bits);
+  }
   outline.dense = std::move(dense.model);
   outline.perimeter = perimeter(outline.dense);
   outline.crossed_itself = loop.crossed_itself;

@@ -29,33 +29,37 @@ bool turnsBack(Vec2 a, Vec2 b, Vec2 c) {
 }
 
 /// Calls visit(e, f) for pairs of edges that must not touch but do, while it returns true; a pair
-/// may come more than once.
+/// may come more than once. False where more than most_pairs pairs had to be looked at.
 template <typename Visit>
-void forEachFault(const std::vector<Vec2>& polygon, Visit visit) {
+bool forEachFault(const std::vector<Vec2>& polygon, size_t most_pairs, Visit visit) {
   const auto n = static_cast<uint32_t>(polygon.size());
   std::vector<EdgeGrid::Edge> edges(n);
   for (uint32_t i = 0; i < n; ++i) {
     const uint32_t next = i + 1 < n ? i + 1 : 0, after = next + 1 < n ? next + 1 : 0;
     edges[i] = {i, next};
     if (polygon[i] == polygon[next] || turnsBack(polygon[i], polygon[next], polygon[after])) {
-      if (!visit(i, next)) return;
+      if (!visit(i, next)) return true;
     }
   }
 
   const EdgeGrid grid(polygon, edges);
   for (uint32_t cell = 0; cell < grid.cellCount(); ++cell) {
     const EdgeGrid::Range here = grid.edgesIn(cell);
+    const size_t pairs = here.size() * here.size() / 2;
+    if (pairs > most_pairs) return false;
+    most_pairs -= pairs;
     for (size_t i = 1; i < here.size(); ++i) {
       const uint32_t e = here[i];
       for (size_t j = 0; j < i; ++j) {
         const uint32_t f = here[j];  // f < e
         if (f + 1 == e || (f == 0 && e == n - 1)) continue;
         if (segmentsMeet(polygon[e], polygon[edges[e][1]], polygon[f], polygon[f + 1])) {
-          if (!visit(e, f)) return;
+          if (!visit(e, f)) return true;
         }
       }
     }
   }
+  return true;
 }
 
 }  // namespace
@@ -92,21 +96,22 @@ Vec2 areaCentroid(const std::vector<Vec2>& polygon) {
   return doubled != 0 ? origin + sum / (3 * doubled) : origin;
 }
 
-bool isSimple(const std::vector<Vec2>& polygon) {
+bool isSimple(const std::vector<Vec2>& polygon, size_t most_pairs) {
   bool simple = polygon.size() >= 3;
   for (Vec2 point : polygon) simple = simple && std::isfinite(point.x) && std::isfinite(point.y);
   if (simple) {
-    forEachFault(polygon, [&](uint32_t, uint32_t) {
+    const bool complete = forEachFault(polygon, most_pairs, [&](uint32_t, uint32_t) {
       simple = false;
       return false;
     });
+    simple = simple && complete;
   }
   return simple;
 }
 
 std::vector<char> faultyEdges(const std::vector<Vec2>& polygon) {
   std::vector<char> faulty(polygon.size(), 0);
-  forEachFault(polygon, [&](uint32_t e, uint32_t f) {
+  forEachFault(polygon, SIZE_MAX, [&](uint32_t e, uint32_t f) {
     faulty[e] = faulty[f] = 1;
     return true;
   });

@@ -1,6 +1,7 @@
 // Predicates and measures of closed polygons (last vertex joins the first, not repeated).
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "base/vec.h"
@@ -14,7 +15,8 @@ double perimeter(const std::vector<Vec2>& polygon);
 Vec2 areaCentroid(const std::vector<Vec2>& polygon);
 /// No two edges touch, but for neighbours at their common vertex; all numbers finite. Exact; O(n)
 /// in practice.
-bool isSimple(const std::vector<Vec2>& polygon);
+/// False also where more than most_pairs pairs of edges lie close together.
+bool isSimple(const std::vector<Vec2>& polygon, size_t most_pairs = SIZE_MAX);
 /// For each edge (from the vertex with its index to the next) whether it is one of those that
 /// make isSimple() false.
 std::vector<char> faultyEdges(const std::vector<Vec2>& polygon);

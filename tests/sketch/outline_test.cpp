@@ -493,3 +493,29 @@ TEST_CASE("outline: polygons that broke other programs", "[outline]") {
     }
   }
 }
+
+TEST_CASE("outline: lines closer than a screen can show give a bounded polygon", "[outline]") {
+  // Up and down, 25,000 times, and back along the bottom.
+  Stroke comb{{0, 0}};
+  const double pitch = 1000.0 / 25000;
+  for (int i = 0; i < 25000; ++i) {
+    const double x = i * pitch;
+    comb.insert(comb.end(), {{x, 10}, {x, 400}, {x + pitch / 2, 400}, {x + pitch / 2, 10}});
+  }
+  comb.push_back({1000, 0});
+  for (const Stroke& stroke : std::vector<Stroke>{comb, strokes::spiral(40, 10, 3, 20000),
+                                                  strokes::star(25000, 150, 200)}) {
+    const auto outline = makeOutline(stroke);
+    REQUIRE(outline);
+    CHECK(outline->dense.size() <= 6000);
+    CHECK(outline->polygon.size() <= 1200);
+    CHECK(isSimple(outline->dense));
+    CHECK(isSimple(outline->polygon));
+  }
+}
+
+TEST_CASE("outline: a spiral of many turns stays a spiral", "[outline]") {
+  const auto outline = makeOutline(strokes::spiral(20, 20, 6, 4000));
+  REQUIRE(outline);
+  CHECK(perimeter(outline->dense) > 0.97 * perimeter(strokes::spiral(20, 20, 6, 4000)));
+}
