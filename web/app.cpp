@@ -103,6 +103,7 @@ void App::takeInput() {
       if (panels_.wantsText()) panels_.text(*text);
     }
   }
+  tools_.settle(ui_, pivot());
 }
 
 bool App::handle(const PointerEvent& event) {

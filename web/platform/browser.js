@@ -131,8 +131,13 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
   function resize(entry) {
     const box = canvas.getBoundingClientRect();
     const exact = entry && entry.devicePixelContentBoxSize && entry.devicePixelContentBoxSize[0];
-    const width = exact ? exact.inlineSize : Math.round(box.width * devicePixelRatio);
-    const height = exact ? exact.blockSize : Math.round(box.height * devicePixelRatio);
+    let width = Math.round(box.width * devicePixelRatio);
+    let height = Math.round(box.height * devicePixelRatio);
+    // An emulated density is not in the exact size: that one only rounds better.
+    if (exact && Math.abs(exact.inlineSize - width) < 2 && Math.abs(exact.blockSize - height) < 2) {
+      width = exact.inlineSize;
+      height = exact.blockSize;
+    }
     if (!width || !height) return;
     canvas.width = width;
     canvas.height = height;

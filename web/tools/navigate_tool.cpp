@@ -16,12 +16,14 @@ void NavigateTool::add(const PointerEvent& event, Mode mode) {
   twist_rad_ = 0;
   twisting_ = false;
   if (!holds(event.id)) touches_.push_back({event.id, event.position_px});
+  settled_ = touches_;
 }
 
 void NavigateTool::remove(int pointer) {
   touches_.erase(std::remove_if(touches_.begin(), touches_.end(),
                                 [&](const Touch& touch) { return touch.pointer == pointer; }),
                  touches_.end());
+  settled_ = touches_;
   twist_rad_ = 0;
   twisting_ = false;
 }
@@ -31,8 +33,7 @@ bool NavigateTool::holds(int pointer) const {
                      [&](const Touch& touch) { return touch.pointer == pointer; });
 }
 
-void NavigateTool::move(const PointerEvent& event, Camera& camera, ViewSize size, Vec3 pivot) {
-  const std::vector<Touch> before = touches_;
+void NavigateTool::move(const PointerEvent& event, Camera& camera, Vec3 pivot) {
   Vec2 delta_px;
   for (Touch& touch : touches_) {
     if (touch.pointer != event.id) continue;
@@ -47,7 +48,6 @@ void NavigateTool::move(const PointerEvent& event, Camera& camera, ViewSize size
       camera.pan(delta_px);
       break;
     case Mode::fingers:
-      if (touches_.size() == 2) moveFingers(before, camera, size, pivot);
       if (touches_.size() >= 3) {
         camera.orbit(delta_px / static_cast<double>(touches_.size()), pivot);
       }
@@ -55,11 +55,15 @@ void NavigateTool::move(const PointerEvent& event, Camera& camera, ViewSize size
   }
 }
 
-void NavigateTool::moveFingers(const std::vector<Touch>& before, Camera& camera, ViewSize size,
-                               Vec3 pivot) {
-  const Vec2 old_span = before[1].position_px - before[0].position_px;
+void NavigateTool::settle(Camera& camera, ViewSize size, Vec3 pivot) {
+  if (mode_ == Mode::fingers && touches_.size() == 2) moveFingers(camera, size, pivot);
+  settled_ = touches_;
+}
+
+void NavigateTool::moveFingers(Camera& camera, ViewSize size, Vec3 pivot) {
+  const Vec2 old_span = settled_[1].position_px - settled_[0].position_px;
   const Vec2 new_span = touches_[1].position_px - touches_[0].position_px;
-  const Vec2 old_middle = (before[0].position_px + before[1].position_px) / 2;
+  const Vec2 old_middle = (settled_[0].position_px + settled_[1].position_px) / 2;
   const Vec2 new_middle = (touches_[0].position_px + touches_[1].position_px) / 2;
   camera.pan(new_middle - old_middle);
   if (length(old_span) < 1 || length(new_span) < 1) return;

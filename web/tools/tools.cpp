@@ -16,6 +16,7 @@ constexpr double kFrontEnough_rad = 1e-6;
 
 Tools::Outcome Tools::pointer(const PointerEvent& event, UiState& ui, const Surroundings& around) {
   if (event.kind == PointerKind::pen) last_pen_ms_ = event.time_ms;
+  if (event.type != PointerEvent::Type::move) settle(ui, around.pivot);
   switch (event.type) {
     case PointerEvent::Type::down:
       return down(event, ui, around);
@@ -153,7 +154,7 @@ Tools::Outcome Tools::move(const PointerEvent& event, UiState& ui, const Surroun
       }
       break;
     case Owner::navigate:
-      navigate_.move(event, ui.camera, ui.size, around.pivot);
+      navigate_.move(event, ui.camera, around.pivot);
       break;
     case Owner::nobody:
       break;

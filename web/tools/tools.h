@@ -32,6 +32,8 @@ class Tools {
   };
   Outcome pointer(const PointerEvent& event, UiState& ui, const Surroundings& around);
   void wheel(const WheelEvent& event, UiState& ui);
+  /// To be called when a frame's input has been given.
+  void settle(UiState& ui, Vec3 pivot) { navigate_.settle(ui.camera, ui.size, pivot); }
 
   /// Gives up a stroke under way; whether there was one.
   bool cancelStroke();
