@@ -27,10 +27,10 @@ struct StraightSkeleton {
     uint32_t left, right;
   };
 
-  std::vector<Vec2> nodes;     // the polygon's n vertices first, in its order, then the inner nodes
-  std::vector<double> times;   // one per node: distance to its defining border edges, model units;
-                               // 0 on the border; the inscribed radius there
-  std::vector<Edge> edges;     // n border edges, then the arcs; the arcs form a tree over all nodes
+  std::vector<Vec2> nodes;    // the polygon's n vertices first, in its order, then the inner nodes
+  std::vector<double> times;  // one per node: distance to its defining border edges, model units;
+                              // 0 on the border; the inscribed radius there
+  std::vector<Edge> edges;    // n border edges, then the arcs; the arcs form a tree over all nodes
   Method method = Method::wavefront;  // who made it
 };
 
@@ -38,7 +38,9 @@ const char* toString(StraightSkeleton::Kind kind);
 const char* toString(StraightSkeleton::Method method);
 
 struct StraightSkeletonOptions {
-  bool allow_fallback = true;  // ask CGAL where the wavefront's self-check fails
+  // Where the wavefront's self-check fails, ask CGAL (a large polygon is jolted by a billionth of
+  // its size first, and the wavefront tried again).
+  bool allow_fallback = true;
 };
 
 /// polygon: n ≥ 3 vertices, simple, counter-clockwise, no repeated vertex.

@@ -110,12 +110,14 @@ class Wavefront {
   void retireAt(Chain chain, uint32_t node);
 
   void collapse(uint32_t first, uint32_t last, Vec2 place);
-  void arrive(uint32_t v, Vec2 end_velocity, Vec2 start_velocity);
+  void arrive(uint32_t v, double end_speed, double start_speed);
   bool slide(uint32_t v, Chain& chain, Vec2& place);
   void handleEdge(uint32_t v, uint32_t w);
   void handleSplit(uint32_t v);
   void split(uint32_t v, uint32_t edge, Vec2 place);
-  void goOn(uint32_t v, Vec2 place, Vec2 end_velocity, Vec2 start_velocity);
+  void goOn(uint32_t v, Vec2 place, double end_speed, double start_speed);
+  double endSpeed(const Vertex& v) const;
+  double startSpeed(const Vertex& v) const;
 
   size_t n_;
   const std::vector<Vec2>& polygon_;
@@ -371,14 +373,14 @@ void Wavefront::collapse(uint32_t first, uint32_t last, Vec2 place) {
       return;
     }
     const uint32_t in = vertices_[chain.first].in, out = vertices_[chain.last].out;
-    const Vec2 end_velocity = vertices_[chain.first].velocity;
-    const Vec2 start_velocity = vertices_[chain.last].velocity;
+    const double end_speed = endSpeed(vertices_[chain.first]);
+    const double start_speed = startSpeed(vertices_[chain.last]);
     const uint32_t node = retireChain(chain, place);
     const uint32_t v = addVertex(in, out, place, node);
     link(before, v);
     link(v, after);
     if (slide(v, chain, place)) continue;
-    arrive(v, end_velocity, start_velocity);
+    arrive(v, end_speed, start_speed);
     return;
   }
 }
@@ -399,16 +401,23 @@ bool Wavefront::slide(uint32_t v, Chain& chain, Vec2& place) {
   return true;
 }
 
-// A new vertex on its way. The velocities are those of the ends that its two edges had before:
-// where a new end retreats more slowly, more of the edge will be there than was foreseen.
-void Wavefront::arrive(uint32_t v, Vec2 end_velocity, Vec2 start_velocity) {
+// How fast a vertex moves along the edge that ends in it, and along the one that starts there. One
+// that slides is at the other end at once.
+double Wavefront::endSpeed(const Vertex& v) const {
+  return v.stuck ? -kNever : lines_[v.in].along(v.velocity);
+}
+double Wavefront::startSpeed(const Vertex& v) const {
+  return v.stuck ? kNever : lines_[v.out].along(v.velocity);
+}
+
+// A new vertex on its way. The speeds are those of the ends that its two edges had before: where a
+// new end retreats more slowly, more of the edge will be there than was foreseen.
+void Wavefront::arrive(uint32_t v, double end_speed, double start_speed) {
   expectEdgeEvent(vertices_[v].previous);
   expectEdgeEvent(v);
   expectFirstSplit(v);
-  const Vertex& vertex = vertices_[v];
-  const Line &in = lines_[vertex.in], &out = lines_[vertex.out];
-  if (in.along(vertex.velocity) > in.along(end_velocity)) lookForNewSplits(vertex.previous);
-  if (out.along(vertex.velocity) < out.along(start_velocity)) lookForNewSplits(v);
+  if (endSpeed(vertices_[v]) > end_speed) lookForNewSplits(vertices_[v].previous);
+  if (startSpeed(vertices_[v]) < start_speed) lookForNewSplits(v);
 }
 
 void Wavefront::expectFirstSplit(uint32_t v) {
@@ -488,8 +497,8 @@ void Wavefront::split(uint32_t v, uint32_t edge, Vec2 place) {
     b_in = vertices_[theirs.first].in;
   }
   const Vertex vertex = vertices_[v];
-  const Vec2 their_start = vertices_[theirs.first == kNone ? start : theirs.last].velocity;
-  const Vec2 their_end = vertices_[theirs.first == kNone ? end : theirs.first].velocity;
+  const double their_start = startSpeed(vertices_[theirs.first == kNone ? start : theirs.last]);
+  const double their_end = endSpeed(vertices_[theirs.first == kNone ? end : theirs.first]);
   const uint32_t node = retireChain({v, v}, place);
   if (theirs.first != kNone) retireAt(theirs, node);
   const uint32_t a = addVertex(vertex.in, a_out, place, node);
@@ -498,12 +507,12 @@ void Wavefront::split(uint32_t v, uint32_t edge, Vec2 place) {
   link(a, end);
   link(start, b);
   link(b, vertex.next);
-  goOn(a, place, vertex.velocity, their_start);
-  goOn(b, place, their_end, vertex.velocity);
+  goOn(a, place, endSpeed(vertex), their_start);
+  goOn(b, place, their_end, startSpeed(vertex));
 }
 
 // What becomes of a vertex that a split has made.
-void Wavefront::goOn(uint32_t v, Vec2 place, Vec2 end_velocity, Vec2 start_velocity) {
+void Wavefront::goOn(uint32_t v, Vec2 place, double end_speed, double start_speed) {
   Chain chain;
   if (vertices_[v].next == vertices_[v].previous) {
     const uint32_t other = vertices_[v].next, node = vertices_[v].node;
@@ -512,7 +521,7 @@ void Wavefront::goOn(uint32_t v, Vec2 place, Vec2 end_velocity, Vec2 start_veloc
   } else if (slide(v, chain, place)) {
     collapse(chain.first, chain.last, place);
   } else {
-    arrive(v, end_velocity, start_velocity);
+    arrive(v, end_speed, start_speed);
   }
 }
 

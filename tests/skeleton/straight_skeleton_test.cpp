@@ -281,3 +281,18 @@ TEST_CASE("straight skeleton: long and hard polygons come out of the wavefront",
     }
   }
 }
+
+TEST_CASE("straight skeleton: edges that a closing slit sets free are met by other vertices",
+          "[skeleton]") {
+  int count = 0;
+  for (int arms = 60; arms <= 500; arms += 4) {
+    for (const double inner : {60.0, 75.0, 80.0}) {
+      const auto polygon = latticeStar(arms, inner, 100);
+      if (!isSimple(polygon) || signedArea(polygon) <= 0) continue;
+      INFO(arms << " arms from " << inner);
+      CHECK(straightSkeletonByWavefront(polygon));
+      ++count;
+    }
+  }
+  CHECK(count > 100);
+}

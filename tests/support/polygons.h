@@ -222,6 +222,16 @@ inline std::vector<Vec2> mirrorStar(Random& random, int half) {
   return points;
 }
 
+/// A star whose corners are rounded to whole numbers: slits with parallel sides, all in one heap.
+inline std::vector<Vec2> latticeStar(int arms, double inner, double outer) {
+  std::vector<Vec2> points;
+  for (int i = 0; i < 2 * arms; ++i) {
+    const double a = kPi * i / arms, r = i % 2 ? inner : outer;
+    points.push_back({std::floor(r * std::cos(a) + 0.5), std::floor(r * std::sin(a) + 0.5)});
+  }
+  return points;
+}
+
 inline std::vector<Vec2> jittered(Random& random, std::vector<Vec2> points, double by) {
   for (Vec2& p : points) p = p + Vec2{random.between(-by, by), random.between(-by, by)};
   return points;
