@@ -54,7 +54,7 @@ test('a file that does not arrive is said in a sentence', {
 
 test('without WebGL 2 the page says so', {
   ready: false, width: 360, height: 640,
-  init() {
+  init: () => {
     const getContext = HTMLCanvasElement.prototype.getContext;
     HTMLCanvasElement.prototype.getContext = function(kind, ...rest) {
       return kind === 'webgl2' ? null : getContext.call(this, kind, ...rest);
@@ -69,7 +69,7 @@ test('without WebGL 2 the page says so', {
 });
 
 test('without WebAssembly the page says so', {
-  ready: false, init() { delete window.WebAssembly; },
+  ready: false, init: () => { delete window.WebAssembly; },
 }, async (app) => {
   await app.until(() => /WebAssembly/.test(document.getElementById('message').textContent));
   assert.equal(await app.page.locator('#loading').isVisible(), true);
