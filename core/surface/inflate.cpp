@@ -184,13 +184,13 @@ Result<Mesh> inflate(const Triangulation& flat, double inscribed_radius,
                      const InflateOptions& options) {
   const bool round = options.profile == InflateOptions::Profile::round;
   if (!(options.thickness > 0) || !std::isfinite(options.thickness)) {
-    return {Status::meshFailed, "the thickness is not a positive number"};
+    return {Status::meshFailed, "The thickness is not a positive number."};
   }
   if (round && (!(inscribed_radius > 0) || !std::isfinite(inscribed_radius))) {
-    return {Status::meshFailed, "the inscribed radius is not a positive number"};
+    return {Status::meshFailed, "The inscribed radius is not a positive number."};
   }
   if (flat.border_count < 3 || flat.points.size() <= flat.border_count || !isFreeOfChords(flat)) {
-    return {Status::meshFailed, "the flat triangles cannot be inflated"};
+    return {Status::meshFailed, "The flat triangles cannot be inflated."};
   }
 
   // Between Delaunay triangles all weights are positive as they are.
@@ -199,7 +199,7 @@ Result<Mesh> inflate(const Triangulation& flat, double inscribed_radius,
   const std::vector<uint32_t> order = membrane.eliminationOrder();
   std::vector<double> heights = solveMembrane(membrane, order, kUnchanged);
   if (heights.empty()) heights = solveMembrane(membrane, order, kPositive);
-  if (heights.empty()) return {Status::meshFailed, "the flat triangles cannot be inflated"};
+  if (heights.empty()) return {Status::meshFailed, "The flat triangles cannot be inflated."};
 
   double scale = 1;
   if (round)

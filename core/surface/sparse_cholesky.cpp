@@ -1,11 +1,11 @@
 #include "surface/sparse_cholesky.h"
 
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 
 namespace marrow {
 namespace {
 
-constexpr uint32_t kNone = ~0u;
 constexpr size_t kLeaf = 12;  // unknowns that are not worth dissecting
 
 class Dissection {
@@ -96,80 +96,6 @@ class Dissection {
   uint32_t mark_ = 0;
 };
 
-/// L of A = L D Lᵀ by columns, without its diagonal of ones.
-struct Factor {
-  std::vector<uint32_t> starts, rows;
-  std::vector<double> values, diagonal;
-};
-
-/// Sizes of L's columns and the elimination tree.
-std::vector<uint32_t> eliminationTree(const SymmetricMatrix& matrix, Factor& factor) {
-  const uint32_t n = static_cast<uint32_t>(matrix.diagonal.size());
-  std::vector<uint32_t> parent(n, kNone), seen(n, kNone);
-  factor.starts.assign(n + 1, 0);
-  for (uint32_t k = 0; k < n; ++k) {
-    seen[k] = k;
-    for (uint32_t entry = matrix.starts[k]; entry < matrix.starts[k + 1]; ++entry) {
-      for (uint32_t i = matrix.rows[entry]; seen[i] != k; i = parent[i]) {
-        if (parent[i] == kNone) parent[i] = k;
-        ++factor.starts[i + 1];
-        seen[i] = k;
-      }
-    }
-  }
-  for (uint32_t k = 0; k < n; ++k) factor.starts[k + 1] += factor.starts[k];
-  return parent;
-}
-
-bool factorise(const SymmetricMatrix& matrix, Factor& factor) {
-  const uint32_t n = static_cast<uint32_t>(matrix.diagonal.size());
-  const std::vector<uint32_t> parent = eliminationTree(matrix, factor);
-  factor.rows.resize(factor.starts[n]);
-  factor.values.resize(factor.starts[n]);
-  factor.diagonal.resize(n);
-
-  std::vector<uint32_t> filled(factor.starts.begin(), factor.starts.end() - 1);
-  std::vector<uint32_t> seen(n, kNone), pattern(n), path;
-  std::vector<double> row(n, 0);
-  for (uint32_t k = 0; k < n; ++k) {
-    // Row k of L solves a triangular system; its pattern are the paths in the tree from the entries
-    // of A's column up to k, later path first.
-    uint32_t top = n;
-    seen[k] = k;
-    for (uint32_t entry = matrix.starts[k]; entry < matrix.starts[k + 1]; ++entry) {
-      uint32_t i = matrix.rows[entry];
-      row[i] += matrix.values[entry];
-      path.clear();
-      for (; seen[i] != k; i = parent[i]) {
-        path.push_back(i);
-        seen[i] = k;
-      }
-      while (!path.empty()) {
-        pattern[--top] = path.back();
-        path.pop_back();
-      }
-    }
-    double diagonal = matrix.diagonal[k];
-    for (; top < n; ++top) {
-      const uint32_t i = pattern[top];
-      const double value = row[i];
-      row[i] = 0;
-      const uint32_t end = filled[i];
-      for (uint32_t entry = factor.starts[i]; entry < end; ++entry) {
-        row[factor.rows[entry]] -= factor.values[entry] * value;
-      }
-      const double scaled = value / factor.diagonal[i];
-      diagonal -= scaled * value;
-      factor.rows[end] = k;
-      factor.values[end] = scaled;
-      filled[i] = end + 1;
-    }
-    if (!(diagonal > 0)) return false;
-    factor.diagonal[k] = diagonal;
-  }
-  return true;
-}
-
 }  // namespace
 
 std::vector<uint32_t> nestedDissection(const std::vector<Vec2>& points,
@@ -178,22 +104,27 @@ std::vector<uint32_t> nestedDissection(const std::vector<Vec2>& points,
 }
 
 bool solve(const SymmetricMatrix& matrix, std::vector<double>& right) {
-  Factor factor;
-  if (!factorise(matrix, factor)) return false;
-  const uint32_t n = static_cast<uint32_t>(right.size());
-  for (uint32_t k = 0; k < n; ++k) {
-    const double value = right[k];
-    for (uint32_t entry = factor.starts[k]; entry < factor.starts[k + 1]; ++entry) {
-      right[factor.rows[entry]] -= factor.values[entry] * value;
+  const int n = static_cast<int>(matrix.diagonal.size());
+  // The upper triangle by columns, the diagonal at each column's end.
+  Eigen::SparseMatrix<double> upper(n, n);
+  upper.resizeNonZeros(n + static_cast<int>(matrix.values.size()));
+  int entry = 0;
+  for (int k = 0; k < n; ++k) {
+    upper.outerIndexPtr()[k] = entry;
+    for (uint32_t i = matrix.starts[k]; i < matrix.starts[k + 1]; ++i, ++entry) {
+      upper.innerIndexPtr()[entry] = static_cast<int>(matrix.rows[i]);
+      upper.valuePtr()[entry] = matrix.values[i];
     }
+    upper.innerIndexPtr()[entry] = k;
+    upper.valuePtr()[entry++] = matrix.diagonal[k];
   }
-  for (uint32_t k = n; k-- > 0;) {
-    double value = right[k] / factor.diagonal[k];
-    for (uint32_t entry = factor.starts[k]; entry < factor.starts[k + 1]; ++entry) {
-      value -= factor.values[entry] * right[factor.rows[entry]];
-    }
-    right[k] = value;
-  }
+  upper.outerIndexPtr()[n] = entry;
+
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>>
+      factor(upper);
+  if (factor.info() != Eigen::Success || !(factor.vectorD().array() > 0).all()) return false;
+  Eigen::Map<Eigen::VectorXd> x(right.data(), n);
+  x = factor.solve(x).eval();
   return true;
 }
 

@@ -1,8 +1,7 @@
 // Sparse symmetric positive definite systems of meshes: an elimination order from where the
-// unknowns lie, and an LDLᵀ factorisation along it.
+// unknowns lie, and Eigen's Cholesky along it.
 //
-// Why not Eigen's: the order comes ten times as fast from the points as from the matrix alone
-// (AMD), and the matrix can be written down in it at once.
+// Why not Eigen's order (AMD): it comes ten times as fast from the points as from the matrix alone.
 #pragma once
 
 #include <cstdint>
@@ -29,9 +28,8 @@ struct SymmetricMatrix {
   std::vector<double> values;
 };
 
-/// Replaces `right` by the solution x of A x = right. False, and `right` spoiled, where A is not
-/// positive definite. Up-looking LDLᵀ along the elimination tree [Davis 2005, "LDL, a concise
-/// sparse Cholesky factorization package"].
+/// Replaces `right` by the solution x of A x = right, by LDLᵀ. False where A is not positive
+/// definite.
 bool solve(const SymmetricMatrix& matrix, std::vector<double>& right);
 
 }  // namespace marrow

@@ -346,7 +346,7 @@ Result<Triangulation> triangulate(const std::vector<Vec2>& outline,
     perimeter += distance(a, b);
   }
   if (!(area > 0) || !std::isfinite(area) || !std::isfinite(perimeter)) {
-    return {Status::meshFailed, "the outline does not run counter-clockwise around an area"};
+    return {Status::meshFailed, "The outline does not run counter-clockwise around an area."};
   }
 
   const size_t target = static_cast<size_t>(std::max(kFewestPoints, options.target_points));
@@ -356,7 +356,7 @@ Result<Triangulation> triangulate(const std::vector<Vec2>& outline,
     const size_t most = std::max(kLeastBorder, static_cast<size_t>(kBorderShare * target));
     const std::vector<Vec2> border = fitBorder(outline, spacing, most);
     Filling filling(border, spacing, target);
-    if (!filling.fill()) return {Status::meshFailed, "the outline crosses itself"};
+    if (!filling.fill()) return {Status::meshFailed, "The outline crosses itself."};
     // The lattice grows with the square of the resolution, the rest with the resolution.
     const double lattice = static_cast<double>(filling.latticeCount());
     const double rest = static_cast<double>(filling.mesh().points().size()) - lattice;
@@ -367,7 +367,7 @@ Result<Triangulation> triangulate(const std::vector<Vec2>& outline,
     result.border_count = static_cast<uint32_t>(border.size());
     result.triangles = filling.mesh().triangles();
     if (!is_split || !isSound(result.points, result.triangles)) {
-      return {Status::meshFailed, "the outline is too narrow somewhere to be triangulated"};
+      return {Status::meshFailed, "The outline is too narrow somewhere to be triangulated."};
     }
 
     const double count = static_cast<double>(result.points.size());
