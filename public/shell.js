@@ -90,8 +90,10 @@ if (hasWasm) {
 }
 
 pageIsThere.then(() => {
-  Module.canvas = document.getElementById('canvas');
+  const canvas = Module.canvas = document.getElementById('canvas');
+  canvas.width = Math.round(canvas.clientWidth * devicePixelRatio);
+  canvas.height = Math.round(canvas.clientHeight * devicePixelRatio);
   // The app asks for the same context again and gets this one.
-  const context = Module.canvas.getContext('webgl2', {alpha: false, antialias: true, depth: true});
+  const context = canvas.getContext('webgl2', {alpha: false, antialias: true, depth: true});
   if (!context) fail(sentences.webgl);
 });

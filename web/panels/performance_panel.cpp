@@ -11,6 +11,8 @@
 namespace marrow {
 namespace {
 
+constexpr double kBothPanels_px = 790;  // height of a canvas with room for the part's panel too
+
 // "straightSkeleton" → "straight skeleton"
 std::string words(const char* stage) {
   std::string text;
@@ -30,15 +32,15 @@ void row(const char* name, double ms, double longest_ms) {
   std::snprintf(text, sizeof text, "%.2f ms", ms);
   const float width = ImGui::GetContentRegionAvail().x;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetFontSize() + 8;
+  const float height = ImGui::GetFontSize() + 6;
   if (longest_ms > 0) {
     const auto share = static_cast<float>(std::clamp(ms / longest_ms, 0.0, 1.0));
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width * share, at.y + height},
                                               Theme::kAccentSoft, 4);
   }
-  ImGui::GetWindowDrawList()->AddText({at.x + 6, at.y + 4}, Theme::kText, name);
+  ImGui::GetWindowDrawList()->AddText({at.x + 6, at.y + 3}, Theme::kText, name);
   const float text_width = ImGui::CalcTextSize(text).x;
-  ImGui::GetWindowDrawList()->AddText({at.x + width - text_width - 6, at.y + 4}, Theme::kText,
+  ImGui::GetWindowDrawList()->AddText({at.x + width - text_width - 6, at.y + 3}, Theme::kText,
                                       text);
   ImGui::Dummy({width, height});
 }
@@ -52,7 +54,9 @@ void drawPerformancePanel(const PanelInput& input, UiState& ui, Requests& reques
     box.position.x = canvasWidth(ui) - margin(ui);
     box.anchor = {1, 1};
     box.width = 268;
-    if (ui.open.part && input.shown.find(ui.selected)) box.position.x -= 268 + margin(ui);
+    // Below the part's panel, or beside it where the column is too short for both.
+    const bool beside = ui.size.height < kBothPanels_px && input.shown.find(ui.selected);
+    if (beside) box.position.x -= box.width + margin(ui);
   }
   beginPanel("performance panel", box);
   if (titleRow("Last stroke", ui)) {
@@ -67,7 +71,7 @@ void drawPerformancePanel(const PanelInput& input, UiState& ui, Requests& reques
     for (const auto& stage : meter.last_part.stages_ms) {
       longest_ms = std::max(longest_ms, stage.second);
     }
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 2));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 1));
     for (const auto& [stage, ms] : meter.last_part.stages_ms) {
       row(words(stage).c_str(), ms, longest_ms);
     }

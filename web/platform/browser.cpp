@@ -40,8 +40,6 @@ bool openContext() {
   if (page->context <= 0) return false;
   emscripten_webgl_make_context_current(page->context);
   page->presenter = std::make_unique<Presenter>();
-  const std::string log = page->presenter->log();
-  if (!log.empty()) emscripten_console_error(log.c_str());
   return true;
 }
 
@@ -119,7 +117,10 @@ EMSCRIPTEN_KEEPALIVE void marrow_context(int alive) {
 /// A slice of the warm-up; 1 when it is done.
 EMSCRIPTEN_KEEPALIVE int marrow_warm(double budget_ms) {
   page->app.warmUp().slice(budget_ms, marrow::now_ms);
-  return page->app.warmUp().done() ? 1 : 0;
+  if (!page->app.warmUp().done()) return 0;
+  const std::string log = page->presenter ? page->presenter->log() : "";
+  if (!log.empty()) emscripten_console_error(log.c_str());
+  return 1;
 }
 
 /// name: what to do, text: with what. The answer is JSON, valid until the next call.

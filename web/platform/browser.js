@@ -5,8 +5,13 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
   const canvas = Module['canvas'];
   const kinds = {mouse: 0, touch: 1, pen: 2};
   const types = {down: 0, move: 1, up: 2, cancel: 3, leave: 4};
+  const copied = (text) => {
+    const size = lengthBytesUTF8(text) + 1, address = _malloc(size);
+    stringToUTF8(text, address, size);
+    return address;
+  };
   const call = (name, text = '') => {
-    const pointers = [stringToNewUTF8(name), stringToNewUTF8(text)];
+    const pointers = [copied(name), copied(text)];
     const answer = UTF8ToString(_marrow_call(pointers[0], pointers[1]));
     pointers.forEach(_free);
     return JSON.parse(answer);
@@ -139,8 +144,8 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
       height = exact.blockSize;
     }
     if (!width || !height) return;
-    canvas.width = width;
-    canvas.height = height;
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
     _marrow_resize(box.width, box.height, width / box.width);
     frame();
   }

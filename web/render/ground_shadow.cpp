@@ -93,12 +93,9 @@ void GroundShadow::draw(const Scene& scene, GpuCache& cache, Float3 clip_scale) 
     now = fingerprint(&body.mesh_id, sizeof body.mesh_id, now);
   }
   if (now != fingerprint_) {
-    GLint framebuffer = 0, viewport[4];
-    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
-    glGetIntegerv(GL_VIEWPORT, viewport);
     makePicture(scene, cache);
-    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(framebuffer));
-    glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    setViewport(scene);
     fingerprint_ = now;
   }
   const Box box = shadowBox(scene);

@@ -10,10 +10,9 @@ namespace marrow {
 class GroundShadow {
  public:
   GroundShadow();
-  /// Draws into the framebuffer that is bound; the viewport is the canvas's. The picture of the
-  /// shadow is made again only where the bodies changed.
+  /// Draws into the canvas. The picture of the shadow is made again only where the bodies changed.
   void draw(const Scene& scene, GpuCache& cache, Float3 clip_scale);
-  const std::string& log() const { return cast_.log(); }
+  std::string log() const { return cast_.log() + blur_.log() + ground_.log(); }
 
  private:
   void makePicture(const Scene& scene, GpuCache& cache);

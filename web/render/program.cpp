@@ -1,5 +1,7 @@
 #include "render/program.h"
 
+#include <cmath>
+
 #include "shaders.h"
 
 namespace marrow {
@@ -11,39 +13,49 @@ constexpr const char* kVersion = "#version 300 es\n";
 constexpr const char* kVersion = "#version 330 core\n";
 #endif
 
-GLuint compile(GLenum stage, const char* file, std::string& log) {
+GLuint compile(GLenum stage, const char* file) {
   const std::string source = kVersion + std::string(shaderSource(file));
   const char* text = source.c_str();
   const GLuint shader = glCreateShader(stage);
   glShaderSource(shader, 1, &text, nullptr);
   glCompileShader(shader);
-  GLint ok = 0;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-  if (!ok) {
-    char message[1000] = "";
-    glGetShaderInfoLog(shader, sizeof message, nullptr, message);
-    log += std::string(file) + ": " + message;
-  }
   return shader;
 }
 
 }  // namespace
 
-Program::Program(const char* vertex_file, const char* fragment_file) : program_(glCreateProgram()) {
-  const GLuint vertex = compile(GL_VERTEX_SHADER, vertex_file, log_);
-  const GLuint fragment = compile(GL_FRAGMENT_SHADER, fragment_file, log_);
+void setViewport(const Scene& scene) {
+  glViewport(0, 0, static_cast<GLsizei>(std::lround(scene.size.width * scene.dpr)),
+             static_cast<GLsizei>(std::lround(scene.size.height * scene.dpr)));
+}
+
+// Nothing is asked here, so that drivers compile all programs at the same time.
+Program::Program(const char* vertex_file, const char* fragment_file)
+    : program_(glCreateProgram()), name_(std::string(vertex_file) + " + " + fragment_file) {
+  const GLuint vertex = compile(GL_VERTEX_SHADER, vertex_file);
+  const GLuint fragment = compile(GL_FRAGMENT_SHADER, fragment_file);
   glAttachShader(program_.name(), vertex);
   glAttachShader(program_.name(), fragment);
   glLinkProgram(program_.name());
-  glDeleteShader(vertex);
+  glDeleteShader(vertex);  // gone with the program
   glDeleteShader(fragment);
+}
+
+std::string Program::log() const {
   GLint ok = 0;
   glGetProgramiv(program_.name(), GL_LINK_STATUS, &ok);
-  if (!ok && log_.empty()) {
-    char message[1000] = "";
-    glGetProgramInfoLog(program_.name(), sizeof message, nullptr, message);
-    log_ = std::string(vertex_file) + ": " + message;
+  if (ok) return {};
+  std::string log = name_ + ": ";
+  char message[1000] = "";
+  GLuint shaders[2] = {0, 0};
+  GLsizei count = 0;
+  glGetAttachedShaders(program_.name(), 2, &count, shaders);
+  for (GLsizei i = 0; i < count; ++i) {
+    glGetShaderInfoLog(shaders[i], sizeof message, nullptr, message);
+    log += message;
   }
+  glGetProgramInfoLog(program_.name(), sizeof message, nullptr, message);
+  return log + message + "\n";
 }
 
 void Program::set(const char* uniform, int value) const { glUniform1i(location(uniform), value); }

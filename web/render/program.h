@@ -9,6 +9,9 @@
 
 namespace marrow {
 
+/// The whole canvas.
+void setViewport(const Scene& scene);
+
 class Program {
  public:
   /// Names of files in shaders/, such as "part.vert". A shader that does not compile is our own
@@ -16,7 +19,8 @@ class Program {
   Program(const char* vertex_file, const char* fragment_file);
 
   void use() const { glUseProgram(program_.name()); }
-  const std::string& log() const { return log_; }
+  /// Waits until the shaders are compiled; why they could not be, empty when they could.
+  std::string log() const;
 
   // The program must be in use; a name it does not have is ignored.
   void set(const char* uniform, int value) const;
@@ -33,7 +37,7 @@ class Program {
   }
 
   GlProgram program_;
-  std::string log_;
+  std::string name_;
 };
 
 }  // namespace marrow

@@ -46,8 +46,7 @@ std::string Renderer::log() const {
 }
 
 void Renderer::draw(const Scene& scene) {
-  glViewport(0, 0, static_cast<GLsizei>(std::lround(scene.size.width * scene.dpr)),
-             static_cast<GLsizei>(std::lround(scene.size.height * scene.dpr)));
+  setViewport(scene);
   glDisable(GL_SCISSOR_TEST);
   glDepthMask(GL_TRUE);
   glDepthFunc(GL_LEQUAL);

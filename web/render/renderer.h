@@ -15,7 +15,7 @@ class Renderer {
  public:
   /// The context must be current.
   Renderer();
-  /// Into the framebuffer that is bound.
+  /// Into the canvas: framebuffer 0.
   void draw(const Scene& scene);
   /// Why a shader did not compile; empty when all did.
   std::string log() const;

@@ -1,0 +1,16 @@
+// Dear ImGui's draw lists: CSS pixels from the top left corner.
+layout(location = 0) in vec2 a_position;
+layout(location = 1) in vec2 a_texture;
+layout(location = 2) in vec4 a_color;
+
+uniform vec2 u_size;  // of the canvas, CSS pixels
+
+out vec2 v_texture;
+out vec4 v_color;
+
+void main() {
+  v_texture = a_texture;
+  v_color = a_color;
+  vec2 clip = 2.0 * a_position / u_size - 1.0;
+  gl_Position = vec4(clip.x, -clip.y, 0.0, 1.0);
+}
