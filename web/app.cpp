@@ -322,7 +322,7 @@ void App::say(std::string sentence) { ui_.toast = Toast{std::move(sentence), ui_
 void App::show(StandardView view) {
   if (tools_.drawing().active()) return;
   const Camera from = ui_.camera;
-  ui_.glide.start(from, turnedTo(from, view, pivot()), ui_.now_ms);
+  ui_.glide.start(from, turnedTo(from, view, pivot()), pivot(), ui_.now_ms);
 }
 
 void App::frameAll() {
@@ -337,7 +337,7 @@ void App::frameAll() {
     const double margin_px = ui_.narrow() ? 64 : 100;
     to = framing(ui_.camera, model(scene_.low), model(scene_.high), ui_.size, margin_px);
   }
-  ui_.glide.start(ui_.camera, to, ui_.now_ms);
+  ui_.glide.start(ui_.camera, to, pivot(), ui_.now_ms);
 }
 
 Vec3 App::pivot() const {

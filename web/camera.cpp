@@ -116,9 +116,10 @@ Camera framing(const Camera& camera, Vec3 low, Vec3 high, ViewSize size, double 
   return framed;
 }
 
-void CameraGlide::start(const Camera& from, const Camera& to, double now_ms) {
+void CameraGlide::start(const Camera& from, const Camera& to, Vec3 pivot, double now_ms) {
   from_ = from;
   to_ = to;
+  pivot_ = pivot;
   start_ms_ = now_ms;
   running_ = true;
 }
@@ -134,7 +135,9 @@ Camera CameraGlide::at(double now_ms) {
   camera.yaw_rad = from_.yaw_rad + wrapped(to_.yaw_rad - from_.yaw_rad) * s;
   camera.pitch_rad = from_.pitch_rad + (to_.pitch_rad - from_.pitch_rad) * s;
   camera.zoom = from_.zoom * std::pow(to_.zoom / from_.zoom, s);
-  camera.target = from_.target + (to_.target - from_.target) * s;
+  const Vec3 offset = from_.toView(pivot_) * (1 - s) + to_.toView(pivot_) * s;
+  camera.target = pivot_;
+  camera.target = pivot_ + pivot_ - camera.fromView(offset);
   return camera;
 }
 

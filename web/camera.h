@@ -51,12 +51,13 @@ std::optional<StandardView> standardView(const Camera& camera);
 /// The camera moved and zoomed so that the box fills the part of the canvas inside `margin_px`.
 Camera framing(const Camera& camera, Vec3 low, Vec3 high, ViewSize size, double margin_px);
 
-/// A short glide from one camera to another.
+/// A short glide from one camera to another. What the view turns about moves straight on the
+/// screen, or keeps its place there where it has the same one in both.
 class CameraGlide {
  public:
   static constexpr double kDuration_ms = 260;
 
-  void start(const Camera& from, const Camera& to, double now_ms);
+  void start(const Camera& from, const Camera& to, Vec3 pivot, double now_ms);
   void stop() { running_ = false; }
   bool running() const { return running_; }
   const Camera& destination() const { return to_; }
@@ -65,6 +66,7 @@ class CameraGlide {
 
  private:
   Camera from_, to_;
+  Vec3 pivot_;
   double start_ms_ = 0;
   bool running_ = false;
 };

@@ -17,8 +17,9 @@ ImFont* add(const unsigned char* data, size_t size, float size_px, double dpr,
             const ImWchar* ranges) {
   ImFontConfig config;
   config.FontDataOwnedByAtlas = false;
+  // Coarse screens need letters between their pixels, fine ones letters on them.
   config.OversampleH = dpr >= 1.5 ? 1 : 2;
-  config.PixelSnapH = false;
+  config.PixelSnapH = dpr >= 1.5;
   // ImGui takes the data as mutable and does not write to it.
   auto* bytes = const_cast<unsigned char*>(data);
   const auto scaled = static_cast<float>(size_px * dpr);

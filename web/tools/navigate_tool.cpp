@@ -69,13 +69,13 @@ void NavigateTool::moveFingers(Camera& camera, ViewSize size, Vec3 pivot) {
   if (length(old_span) < 1 || length(new_span) < 1) return;
   camera.zoomAt(new_middle, length(new_span) / length(old_span), size);
 
-  const double twist = std::atan2(cross(old_span, new_span), dot(old_span, new_span));
+  double twist = std::atan2(cross(old_span, new_span), dot(old_span, new_span));
   twist_rad_ += twist;
-  if (twisting_) {
-    camera.turn(twist, 0, pivot);
-  } else {
+  if (!twisting_) {
     twisting_ = std::abs(twist_rad_) > kTwistSlop_rad;
+    twist = twisting_ ? twist_rad_ - std::copysign(kTwistSlop_rad, twist_rad_) : 0;
   }
+  if (twist != 0) camera.turn(twist, 0, pivot);
 }
 
 void NavigateTool::wheel(const WheelEvent& event, Camera& camera, ViewSize size) {

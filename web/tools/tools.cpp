@@ -24,7 +24,7 @@ Tools::Outcome Tools::pointer(const PointerEvent& event, UiState& ui, const Surr
       return move(event, ui, around);
     case PointerEvent::Type::up:
     case PointerEvent::Type::cancel:
-      return up(event, ui);
+      return up(event, ui, around);
     case PointerEvent::Type::leave:
       break;
   }
@@ -123,7 +123,7 @@ void Tools::beginStroke(const PointerEvent& event, UiState& ui, const Surroundin
   view_is_shown_ = false;
 }
 
-bool Tools::showDrawingView(UiState& ui) {
+bool Tools::showDrawingView(UiState& ui, Vec3 pivot) {
   if (view_is_shown_ || !draw_.isStroke()) return false;
   view_is_shown_ = true;
   ui.glide.stop();
@@ -131,7 +131,7 @@ bool Tools::showDrawingView(UiState& ui) {
     ui.camera = draw_.camera();
     return false;
   }
-  ui.glide.start(ui.camera, draw_.camera(), ui.now_ms);
+  ui.glide.start(ui.camera, draw_.camera(), pivot, ui.now_ms);
   return true;
 }
 
@@ -150,7 +150,7 @@ Tools::Outcome Tools::move(const PointerEvent& event, UiState& ui, const Surroun
       draw_.move(event);
       // A finger may be the first of two: the view waits until it is clear that it draws.
       if (drawing_kind_ != PointerKind::touch || !hasJustBegun(event.time_ms)) {
-        outcome.turns_to_front = showDrawingView(ui);
+        outcome.turns_to_front = showDrawingView(ui, around.pivot);
       }
       break;
     case Owner::navigate:
@@ -162,7 +162,7 @@ Tools::Outcome Tools::move(const PointerEvent& event, UiState& ui, const Surroun
   return outcome;
 }
 
-Tools::Outcome Tools::up(const PointerEvent& event, UiState& ui) {
+Tools::Outcome Tools::up(const PointerEvent& event, UiState& ui, const Surroundings& around) {
   Outcome outcome;
   const auto found = owners_.find(event.id);
   if (found == owners_.end()) {
@@ -182,7 +182,7 @@ Tools::Outcome Tools::up(const PointerEvent& event, UiState& ui) {
       ui.camera = camera_at_start_;
     }
   } else if (draw_.isStroke()) {
-    outcome.turns_to_front = showDrawingView(ui);
+    outcome.turns_to_front = showDrawingView(ui, around.pivot);
     outcome.command = draw_.end();
   } else {
     draw_.cancel();

@@ -45,14 +45,14 @@ class Tools {
 
   Outcome down(const PointerEvent& event, UiState& ui, const Surroundings& around);
   Outcome move(const PointerEvent& event, UiState& ui, const Surroundings& around);
-  Outcome up(const PointerEvent& event, UiState& ui);
+  Outcome up(const PointerEvent& event, UiState& ui, const Surroundings& around);
   Owner ownerOfTouch(const PointerEvent& event);
   void beginStroke(const PointerEvent& event, UiState& ui, const Surroundings& around);
   bool penIsNear(double time_ms) const;
   /// Young or short enough to be the first finger of a gesture.
   bool hasJustBegun(double time_ms) const;
   /// Turns the view to where the stroke is drawn, once; whether it was another one.
-  bool showDrawingView(UiState& ui);
+  bool showDrawingView(UiState& ui, Vec3 pivot);
 
   DrawTool draw_;
   NavigateTool navigate_;
