@@ -79,9 +79,15 @@ export class App {
     if (ready) await this.ready();
   }
 
+  /// Fails at once where the page's scripts do.
   async ready() {
-    await this.page.waitForFunction(() => window.marrow?.ready, null, {timeout: 60_000});
-    await this.page.evaluate(() => window.marrow.ready.then(() => {}));
+    const broken = new Promise((_, fail) => {
+      if (this.errors.length) fail(new Error(this.errors.join('\n')));
+      this.page.once('pageerror', fail);
+    });
+    const ready = this.until(() => Boolean(window.marrow?.ready), undefined, 60_000)
+        .then(() => this.page.evaluate(() => marrow.ready.then(() => {})));
+    await Promise.race([broken, ready]);
     await this.frames(2);
   }
 

@@ -93,8 +93,8 @@ test('a second finger ends a stroke that has just begun, and not one under way',
 test('a stroke that the system takes away leaves nothing', tablet, async (app) => {
   const send = (type, touchPoints) =>
       app.session.send('Input.dispatchTouchEvent', {type, touchPoints});
-  await send('touchStart', [{x: 300, y: 300, id: 0}]);
-  for (const [x, y] of ring(300, 200, 100)) await send('touchMove', [{x, y, id: 0}]);
+  await send('touchStart', [{x: 400, y: 200, id: 0}]);
+  await Promise.all(ring(300, 200, 100).map(([x, y]) => send('touchMove', [{x, y, id: 0}])));
   await send('touchCancel', []);
   await app.settled();
   assert.equal((await app.parts()).length, 0);

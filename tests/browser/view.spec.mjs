@@ -129,7 +129,7 @@ test('two device pixels for each of the page make a canvas twice as fine', {
 
   // Text: steep edges, and more than enlarged pixels.
   await app.screenshot('two-fold');
-  const {x, y, width, height} = await app.widget('part', 'delete');
+  const {x, y, width, height} = await app.widget('views', 'front');
   const pixels = await app.pixels();
   let steep = 0, single = 0;
   for (let row = Math.round(2 * (y - height / 2)); row < 2 * (y + height / 2); row += 2) {
