@@ -7,7 +7,8 @@
 namespace marrow {
 namespace {
 
-// Bones keep a size that can be seen and do not hide the part, at any zoom.
+// Bones keep a size that can be seen and do not hide the part, at any zoom; larger on a large
+// canvas.
 constexpr double kBoneWidthShare = 0.09;  // radius ÷ length
 constexpr double kBoneMin_px = 2.5, kBoneMax_px = 9;
 constexpr double kJoint_px = 4.6, kEndJoint_px = 3.8;
@@ -131,7 +132,8 @@ class Builder {
   }
 
   void addBones(const PartSkeleton& skeleton) {
-    const double px = 1 / ui_.camera.zoom;
+    const double canvas_px = std::min(ui_.size.width, ui_.size.height);
+    const double px = std::clamp(canvas_px / 900, 1.0, 2.5) / ui_.camera.zoom;
     for (const auto& [i, j] : skeleton.bones) {
       // The wide end lies at the joint with more flesh around it, as in a limb.
       const bool turned = skeleton.joints[j].radius > skeleton.joints[i].radius;

@@ -23,7 +23,7 @@ void endPanel();
 struct ButtonLook {
   const char* tooltip = "";
   bool enabled = true;
-  bool on = false;  // a switch that is on
+  bool on = false;      // a switch that is on
   float width = 0;      // 0: square, or as wide as the text
   bool danger = false;  // takes something away
 };
