@@ -17,19 +17,21 @@ inline float margin(const UiState& ui) { return ui.narrow() ? 8 : Theme::kMargin
 /// The ball that turns the view, in the top right corner.
 inline float gizmoSide(const UiState& ui) { return ui.narrow() ? 76.0f : 96.0f; }
 
+/// A canvas so low that sheets stand at its side.
+inline bool lowCanvas(const UiState& ui) { return ui.narrow() && ui.size.height < 480; }
+
 /// A sheet above the lower bar; at the right where the canvas is low.
 inline PanelBox sheetBox(const UiState& ui) {
   PanelBox box;
   const float gap = margin(ui);
-  const bool low = canvasHeight(ui) < 480;
   box.position = {canvasWidth(ui) / 2, canvasHeight(ui) - 2 * gap - barHeight(ui)};
   box.anchor = {0.5f, 1};
   box.width = std::min(canvasWidth(ui) - 2 * gap, 420.0f);
   box.max_height = canvasHeight(ui) * 0.55f;
-  if (low) {
+  if (lowCanvas(ui)) {
     box.position.x = canvasWidth(ui) - gap;
     box.anchor.x = 1;
-    box.width = std::min(box.width, std::max(canvasWidth(ui) / 2, 300.0f));
+    box.width = std::min(box.width, std::max(canvasWidth(ui) / 2, 344.0f));
     box.max_height = canvasHeight(ui) - barHeight(ui) - 3 * gap;
   }
   return box;

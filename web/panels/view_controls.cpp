@@ -192,7 +192,9 @@ void drawNarrow(const PanelInput& input, UiState& ui, Requests& requests) {
 }  // namespace
 
 void drawViewControls(const PanelInput& input, UiState& ui, Requests& requests) {
-  drawGizmo(ui, requests);
+  const PanelsOpen& open = ui.open;
+  const bool covered = lowCanvas(ui) && (open.part || open.view || open.performance || open.help);
+  if (!covered) drawGizmo(ui, requests);
   if (ui.narrow()) {
     drawNarrow(input, ui, requests);
   } else {
