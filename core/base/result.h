@@ -10,14 +10,14 @@ namespace marrow {
 
 enum class Status {
   ok,
-  tooFewPoints,      // under three distinct points
-  noArea,            // the points enclose nothing
-  notAPolygon,       // a stage was given something else than a simple counter-clockwise polygon
-  skeletonFailed,    // neither our wavefront nor CGAL could make a consistent straight skeleton
-  meshFailed,        // triangulation or inflation found no solution
-  unreadable,        // a file or text that is not what it should be
-  newerVersion,      // a document written by a later version
-  notFound,          // a part, a step or a file that is not there
+  tooFewPoints,    // under three distinct points
+  noArea,          // the points enclose nothing
+  notAPolygon,     // a stage was given something else than a simple counter-clockwise polygon
+  skeletonFailed,  // neither our wavefront nor CGAL could make a consistent straight skeleton
+  meshFailed,      // triangulation or inflation found no solution
+  unreadable,      // a file or text that is not what it should be
+  newerVersion,    // a document written by a later version
+  notFound,        // a part, a step or a file that is not there
 };
 
 /// The sentence shown to the user for a code, always compiled in.
@@ -28,9 +28,7 @@ struct Error {
   std::string detail;  // what exactly, where the code alone does not say; may be empty
 
   /// One sentence on one line, for people.
-  std::string message() const {
-    return detail.empty() ? std::string(toSentence(status)) : detail;
-  }
+  std::string message() const { return detail.empty() ? std::string(toSentence(status)) : detail; }
 };
 
 /// A value, or why there is none.
