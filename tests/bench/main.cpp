@@ -67,7 +67,7 @@ Json rivals(const std::vector<Vec2>& polygon, Effort effort, bool with_cgal) {
   row["ours"] = toJson(measure([&] { (void)straightSkeleton(polygon); }, effort));
   row["chordal"] = toJson(measure([&] { (void)chordalAxis(polygon); }, effort));
   if (with_cgal) {
-    effort.least = 1;
+    effort.least = polygon.size() <= 200 ? 5 : 1;
     row["cgal"] = toJson(measure([&] { (void)straightSkeletonByCgal(polygon); }, effort));
   }
   return row;
@@ -76,7 +76,7 @@ Json rivals(const std::vector<Vec2>& polygon, Effort effort, bool with_cgal) {
 void stages(bool quick) {
   const auto all = benchStrokes();
   warmUp(all, quick ? 1000 : 2000);
-  const Effort effort{quick ? 10.0 : 40.0, quick ? 3 : 7};
+  const Effort effort{quick ? 10.0 : 40.0, quick ? 5 : 12};
   for (const auto& [name, stroke] : all) {
     const auto outline = makeOutline(stroke);
     if (!outline) continue;
