@@ -21,22 +21,6 @@ double sizeOf(const std::vector<Vec2>& polygon) {
   return std::max(high.x - low.x, high.y - low.y);
 }
 
-bool isTree(size_t nodes, const StraightSkeleton::Edge* arcs, size_t count) {
-  if (count + 1 != nodes) return false;
-  std::vector<uint32_t> parent(nodes);
-  for (size_t i = 0; i < nodes; ++i) parent[i] = static_cast<uint32_t>(i);
-  const auto root = [&](uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (size_t i = 0; i < count; ++i) {
-    const uint32_t a = root(arcs[i].a), b = root(arcs[i].b);
-    if (a == b) return false;
-    parent[a] = b;
-  }
-  return true;
-}
-
 }  // namespace
 
 std::string inconsistency(const std::vector<Vec2>& polygon, const StraightSkeleton& skeleton) {
@@ -58,7 +42,8 @@ std::string inconsistency(const std::vector<Vec2>& polygon, const StraightSkelet
   std::vector<uint32_t> degree(nodes, 0), on_face(n + 1, 0);
   for (size_t i = 0; i < arc_count; ++i) {
     const auto& arc = arcs[i];
-    if (arc.a >= nodes || arc.b >= nodes || arc.left >= n || arc.right >= n) {
+    if (arc.a >= nodes || arc.b >= nodes || arc.left >= n || arc.right >= n ||
+        arc.left == arc.right) {
       return "an arc points nowhere";
     }
     if (arc.kind == Kind::border || (arc.kind == Kind::peripheral) != (arc.a < n || arc.b < n)) {
@@ -77,7 +62,9 @@ std::string inconsistency(const std::vector<Vec2>& polygon, const StraightSkelet
       }
     }
   }
-  if (!isTree(nodes, arcs, arc_count)) return "the arcs are no tree";
+  // As many as a tree has; that they hang together follows from the faces below: each is one path,
+  // and two neighbours share the arc of the border vertex between them.
+  if (arc_count + 1 != nodes) return "the arcs are no tree";
   for (size_t i = 0; i < nodes; ++i) {
     if (i < n ? degree[i] != 1 : degree[i] < 3) return "a node has the wrong degree";
   }

@@ -32,6 +32,8 @@ constexpr double kStraight = 1e-11;     // sine below which a vertex does not co
 constexpr double kStandsStill = 1e-13;  // closing speed below which two things never meet
 constexpr double kFast = 8;             // speed from which a vertex's place is not well conditioned
 constexpr double kVeryFast = 1e4;       // speed from which times alone do not tell what is first
+constexpr double kLongest = 1;          // nothing is left of the polygon by then
+constexpr double kBlockMargin = 1e-9;   // above all tolerances of places
 constexpr double kMergeNodes = 1e-9;    // arcs shorter than this join one node to another
 
 // A border edge: its moving line is {x : dot(normal, x) = offset + t}.
@@ -53,8 +55,10 @@ struct Vertex {
   double speed;
   uint32_t in, out;
   uint32_t previous, next;
-  uint32_t node;      // where its arc begins
-  double split_time;  // of its next split event, if it is reflex
+  uint32_t node;          // where its arc begins
+  uint32_t split_target;  // the edge that it is expected to run into, if it is reflex; may be gone
+  double split_time;      // when; of its next split event
+  uint32_t loop;          // the same for all of one loop
   bool alive, reflex, stuck;
 
   Vec2 at(double t) const { return place + velocity * (t - time); }
@@ -75,6 +79,13 @@ struct Event {
   }
 };
 
+// A few neighbouring edges of the polygon.
+struct Block {
+  Vec2 low, high;         // around the places of its vertices
+  Vec2 slowest, fastest;  // around their velocities, and standing still
+};
+constexpr uint32_t kBlock = 8;  // edges
+
 class Wavefront {
  public:
   explicit Wavefront(const std::vector<Vec2>& polygon);
@@ -83,7 +94,7 @@ class Wavefront {
 
  private:
   uint32_t addNode(Vec2 place, double time);
-  uint32_t addVertex(uint32_t in, uint32_t out, Vec2 place, uint32_t node);
+  uint32_t addVertex(uint32_t in, uint32_t out, Vec2 place, uint32_t node, uint32_t loop);
   void link(uint32_t v, uint32_t w) {
     vertices_[v].next = w;
     vertices_[w].previous = v;
@@ -94,7 +105,8 @@ class Wavefront {
   void push(double time, uint32_t vertex, uint32_t other);
   void expectEdgeEvent(uint32_t v);
   void expectFirstSplit(uint32_t v);
-  void expectSplitEvent(uint32_t v, double wait);
+  void expectSplitEvent(uint32_t v, uint32_t edge, double wait);
+  void expectAllSplits(const std::vector<Vec2>& points);
   bool reaches(const Vertex& v, Vec2 place, uint32_t edge, double& wait) const;
   uint32_t nextEdgeReached(uint32_t v, double& wait) const;
   void lookForNewSplits(uint32_t edge);
@@ -115,6 +127,7 @@ class Wavefront {
   void handleEdge(uint32_t v, uint32_t w);
   void handleSplit(uint32_t v);
   void split(uint32_t v, uint32_t edge, Vec2 place);
+  void nameLoops(uint32_t a, uint32_t b);
   void goOn(uint32_t v, Vec2 place, double end_speed, double start_speed);
   double endSpeed(const Vertex& v) const;
   double startSpeed(const Vertex& v) const;
@@ -129,6 +142,7 @@ class Wavefront {
   std::vector<Event> events_;
   double now_ = 0;
   uint32_t reflex_count_ = 0;  // living ones
+  uint32_t loop_count_ = 1;
   bool lost_ = false;
 
   std::vector<Vec2> places_;  // of the inner nodes; node n_ is the first
@@ -182,16 +196,14 @@ Wavefront::Wavefront(const std::vector<Vec2>& polygon) : n_(polygon.size()), pol
     line.offset = dot(line.normal, p);
   }
   for (uint32_t i = 0; i < n; ++i) {
-    const uint32_t v = addVertex(i == 0 ? n - 1 : i - 1, i, points[i], i);
+    const uint32_t v = addVertex(i == 0 ? n - 1 : i - 1, i, points[i], i, 0);
     if (i > 0) link(v - 1, v);
     lost_ = lost_ || vertices_[v].stuck;
   }
   link(n - 1, 0);
   if (lost_) return;
-  for (uint32_t i = 0; i < n; ++i) {
-    expectEdgeEvent(i);
-    expectFirstSplit(i);
-  }
+  for (uint32_t i = 0; i < n; ++i) expectEdgeEvent(i);
+  expectAllSplits(points);
 }
 
 uint32_t Wavefront::addNode(Vec2 place, double time) {
@@ -200,15 +212,18 @@ uint32_t Wavefront::addNode(Vec2 place, double time) {
   return static_cast<uint32_t>(n_ + places_.size() - 1);
 }
 
-uint32_t Wavefront::addVertex(uint32_t in, uint32_t out, Vec2 place, uint32_t node) {
-  Vertex v;
+uint32_t Wavefront::addVertex(uint32_t in, uint32_t out, Vec2 place, uint32_t node, uint32_t loop) {
+  vertices_.emplace_back();  // filled where it is: copying what was just written is slow
+  Vertex& v = vertices_.back();
   v.place = place;
   v.time = now_;
   v.in = in;
   v.out = out;
   v.node = node;
   v.previous = v.next = kNone;
+  v.split_target = kNone;
   v.split_time = kNever;
+  v.loop = loop;
   v.alive = true;
   const Vec2 a = lines_[in].normal, b = lines_[out].normal;
   v.stuck = !velocityBetween(a, b, v.velocity);
@@ -216,7 +231,6 @@ uint32_t Wavefront::addVertex(uint32_t in, uint32_t out, Vec2 place, uint32_t no
   v.speed = length(v.velocity);
   v.reflex = !v.stuck && cross(a, b) < -kStraight;
   if (v.reflex) ++reflex_count_;
-  vertices_.push_back(v);
   return static_cast<uint32_t>(vertices_.size() - 1);
 }
 
@@ -228,7 +242,13 @@ void Wavefront::retire(uint32_t v, uint32_t node) {
   if (vertex.node == node) return;
   const auto kind =
       vertex.node < n_ ? StraightSkeleton::Kind::peripheral : StraightSkeleton::Kind::skeleton;
-  arcs_.push_back({vertex.node, node, kind, vertex.in, vertex.out});
+  arcs_.emplace_back();
+  StraightSkeleton::Edge& arc = arcs_.back();
+  arc.a = vertex.node;
+  arc.b = node;
+  arc.kind = kind;
+  arc.left = vertex.in;
+  arc.right = vertex.out;
 }
 
 bool Wavefront::isAt(uint32_t v, Vec2 place) const {
@@ -237,8 +257,18 @@ bool Wavefront::isAt(uint32_t v, Vec2 place) const {
 }
 
 void Wavefront::push(double time, uint32_t vertex, uint32_t other) {
-  events_.push_back({std::max(time, now_), vertex, other});
-  std::push_heap(events_.begin(), events_.end());
+  // As std::push_heap, without copying the event that was just written.
+  time = std::max(time, now_);
+  const Event event{time, vertex, other};
+  size_t i = events_.size();
+  events_.emplace_back();
+  while (i > 0 && events_[(i - 1) / 2] < event) {
+    events_[i] = events_[(i - 1) / 2];
+    i = (i - 1) / 2;
+  }
+  events_[i].time = time;
+  events_[i].vertex = vertex;
+  events_[i].other = other;
 }
 
 // When the wavefront edge from v to w has shrunk to nothing.
@@ -269,7 +299,8 @@ void Wavefront::expectEdgeEvent(uint32_t v) {
   if (time < kNever) push(time, v, w);
 }
 
-void Wavefront::expectSplitEvent(uint32_t v, double wait) {
+void Wavefront::expectSplitEvent(uint32_t v, uint32_t edge, double wait) {
+  vertices_[v].split_target = edge;
   vertices_[v].split_time = std::max(now_ + wait, now_);
   push(vertices_[v].split_time, v, kSplit);
 }
@@ -302,6 +333,64 @@ uint32_t Wavefront::nextEdgeReached(uint32_t v, double& wait) const {
   return target;
 }
 
+// expectFirstSplit() for all reflex vertices of the polygon, which is most of what there is to look
+// for. Edges are looked at in blocks; a block whose edges cannot touch the vertex's way before the
+// soonest meeting known so far is passed over.
+void Wavefront::expectAllSplits(const std::vector<Vec2>& points) {
+  if (reflex_count_ == 0) return;
+  const auto n = static_cast<uint32_t>(n_);
+  std::vector<Block> blocks((n + kBlock - 1) / kBlock);
+  for (uint32_t b = 0; b < blocks.size(); ++b) {
+    const uint32_t first = b * kBlock, last = std::min(first + kBlock, n);
+    Block block{points[first], points[first], {}, {}};
+    for (uint32_t k = first; k <= last; ++k) {
+      const uint32_t i = k == n ? 0 : k;
+      block.low = {std::min(block.low.x, points[i].x), std::min(block.low.y, points[i].y)};
+      block.high = {std::max(block.high.x, points[i].x), std::max(block.high.y, points[i].y)};
+      const Vec2 velocity = vertices_[i].velocity;
+      block.slowest = {std::min(block.slowest.x, velocity.x),
+                       std::min(block.slowest.y, velocity.y)};
+      block.fastest = {std::max(block.fastest.x, velocity.x),
+                       std::max(block.fastest.y, velocity.y)};
+    }
+    blocks[b] = block;
+  }
+
+  uint32_t last_target = kNone;
+  for (uint32_t v = 0; v < n; ++v) {
+    const Vertex& vertex = vertices_[v];
+    if (!vertex.reflex) continue;
+    const uint32_t previous = vertex.previous;
+    const Vec2 place = vertex.place;
+    double wait = kLongest;
+    uint32_t target = kNone;
+    const auto look = [&](uint32_t edge) {
+      if (edge != v && edge != previous && reaches(vertex, place, edge, wait)) target = edge;
+    };
+    // Neighbours often run into the same edge: a first guess.
+    if (last_target != kNone) {
+      look(last_target);
+      look(vertices_[last_target].previous);
+    }
+    for (uint32_t b = 0; b < blocks.size(); ++b) {
+      const Block& block = blocks[b];
+      const Vec2 there = place + vertex.velocity * wait;
+      const Vec2 low = block.low + block.slowest * wait, high = block.high + block.fastest * wait;
+      if (std::min(place.x, there.x) > high.x + kBlockMargin ||
+          std::max(place.x, there.x) < low.x - kBlockMargin ||
+          std::min(place.y, there.y) > high.y + kBlockMargin ||
+          std::max(place.y, there.y) < low.y - kBlockMargin) {
+        continue;
+      }
+      const uint32_t end = std::min((b + 1) * kBlock, n);
+      for (uint32_t edge = b * kBlock; edge < end; ++edge) look(edge);
+    }
+    if (target == kNone) continue;
+    last_target = target;
+    expectSplitEvent(v, target, wait);
+  }
+}
+
 // Reflex vertices that did not expect this edge may run into it after all.
 void Wavefront::lookForNewSplits(uint32_t edge) {
   if (reflex_count_ == 0) return;
@@ -310,7 +399,7 @@ void Wavefront::lookForNewSplits(uint32_t edge) {
     const Vertex& vertex = vertices_[v];
     if (!vertex.reflex) continue;
     double wait = vertex.split_time - now_;
-    if (reaches(vertex, vertex.at(now_), edge, wait)) expectSplitEvent(v, wait);
+    if (reaches(vertex, vertex.at(now_), edge, wait)) expectSplitEvent(v, edge, wait);
   }
 }
 
@@ -376,7 +465,7 @@ void Wavefront::collapse(uint32_t first, uint32_t last, Vec2 place) {
     const double end_speed = endSpeed(vertices_[chain.first]);
     const double start_speed = startSpeed(vertices_[chain.last]);
     const uint32_t node = retireChain(chain, place);
-    const uint32_t v = addVertex(in, out, place, node);
+    const uint32_t v = addVertex(in, out, place, node, vertices_[before].loop);
     link(before, v);
     link(v, after);
     if (slide(v, chain, place)) continue;
@@ -423,7 +512,8 @@ void Wavefront::arrive(uint32_t v, double end_speed, double start_speed) {
 void Wavefront::expectFirstSplit(uint32_t v) {
   if (!vertices_[v].reflex) return;
   double wait;
-  if (nextEdgeReached(v, wait) != kNone) expectSplitEvent(v, wait);
+  const uint32_t edge = nextEdgeReached(v, wait);
+  if (edge != kNone) expectSplitEvent(v, edge, wait);
 }
 
 // A very fast vertex meets both its neighbours at what is the same time to double precision: which
@@ -450,14 +540,21 @@ void Wavefront::handleEdge(uint32_t v, uint32_t w) {
 }
 
 void Wavefront::handleSplit(uint32_t v) {
-  double wait;
+  const Vertex& vertex = vertices_[v];
+  const uint32_t target = vertex.split_target;
+  double wait = kSamePlace;
+  if (vertices_[target].alive && vertices_[target].loop == vertex.loop && target != v &&
+      target != vertex.previous && reaches(vertex, vertex.at(now_), target, wait)) {
+    split(v, target, vertex.at(now_));
+    return;
+  }
   const uint32_t edge = nextEdgeReached(v, wait);
   if (edge == kNone) {
     vertices_[v].split_time = kNever;
   } else if (wait < kSamePlace) {
     split(v, edge, vertices_[v].at(now_));
   } else {
-    expectSplitEvent(v, wait);
+    expectSplitEvent(v, edge, wait);
   }
 }
 
@@ -501,14 +598,29 @@ void Wavefront::split(uint32_t v, uint32_t edge, Vec2 place) {
   const double their_end = endSpeed(vertices_[theirs.first == kNone ? end : theirs.first]);
   const uint32_t node = retireChain({v, v}, place);
   if (theirs.first != kNone) retireAt(theirs, node);
-  const uint32_t a = addVertex(vertex.in, a_out, place, node);
-  const uint32_t b = addVertex(b_in, vertex.out, place, node);
+  const uint32_t a = addVertex(vertex.in, a_out, place, node, vertex.loop);
+  const uint32_t b = addVertex(b_in, vertex.out, place, node, vertex.loop);
   link(vertex.previous, a);
   link(a, end);
   link(start, b);
   link(b, vertex.next);
+  nameLoops(a, b);
   goOn(a, place, endSpeed(vertex), their_start);
   goOn(b, place, their_end, startSpeed(vertex));
+}
+
+// A loop has become two: the shorter one gets a new name.
+void Wavefront::nameLoops(uint32_t a, uint32_t b) {
+  uint32_t u = vertices_[a].next, w = vertices_[b].next;
+  while (u != a && w != b) {
+    u = vertices_[u].next;
+    w = vertices_[w].next;
+  }
+  const uint32_t shorter = u == a ? a : b, name = loop_count_++;
+  for (w = shorter;; w = vertices_[w].next) {
+    vertices_[w].loop = name;
+    if (vertices_[w].next == shorter) return;
+  }
 }
 
 // What becomes of a vertex that a split has made.
@@ -579,14 +691,22 @@ StraightSkeleton Wavefront::result() {
     out.nodes.push_back(places_[i - n_] * unit_ + center_);
     out.times.push_back(times_[i - n_] * unit_);
   }
-  out.edges.reserve(n_ + arcs_.size());
-  for (uint32_t i = 0; i < n_; ++i) {
-    out.edges.push_back({i, i + 1 == n_ ? 0 : i + 1, StraightSkeleton::Kind::border, i, i});
+  out.edges.resize(n_ + arcs_.size());
+  StraightSkeleton::Edge* edge = out.edges.data();
+  for (uint32_t i = 0; i < n_; ++i, ++edge) {
+    edge->a = edge->left = edge->right = i;
+    edge->b = i + 1 == n_ ? 0 : i + 1;
+    edge->kind = StraightSkeleton::Kind::border;
   }
   for (const auto& arc : arcs_) {
     const uint32_t a = index[root(arc.a)], b = index[root(arc.b)];
-    if (a != b) out.edges.push_back({a, b, arc.kind, arc.left, arc.right});
+    if (a == b) continue;
+    *edge = arc;
+    edge->a = a;
+    edge->b = b;
+    ++edge;
   }
+  out.edges.resize(static_cast<size_t>(edge - out.edges.data()));
   return out;
 }
 
