@@ -1,11 +1,7 @@
 #include "part/part.h"
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
-#include <string>
 
-#include "io/stroke_json.h"
 #include "skeleton/inside.h"
 #include "sketch/polygon.h"
 #include "support/catch.h"
@@ -57,11 +53,6 @@ void requireSame(const Part& a, const Part& b) {
     REQUIRE(a.mesh.positions[i].z == b.mesh.positions[i].z);
     REQUIRE(a.normals[i].z == b.normals[i].z);
   }
-}
-
-std::string readFile(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace
@@ -149,46 +140,12 @@ TEST_CASE("part: far from the origin a stroke is a part or an error", "[part]") 
 }
 
 TEST_CASE("part: every real stroke is a sound part", "[part]") {
-  const std::string folder = std::string(MARROW_SHARED_DIR) + "/strokes/";
-  const char* names[] = {"ad-char1",
-                         "ad-char4",
-                         "icon-fluent-butterfly",
-                         "icon-fluent-crab",
-                         "icon-fluent-llama",
-                         "icon-fluent-sauropod",
-                         "icon-game-icons-angler-fish",
-                         "icon-game-icons-curled-tentacle",
-                         "icon-game-icons-kangaroo",
-                         "icon-game-icons-sheep",
-                         "icon-mdi-bat",
-                         "icon-mdi-gymnastics",
-                         "icon-mdi-human",
-                         "icon-mdi-kangaroo",
-                         "qd-angel-1",
-                         "qd-bear-45",
-                         "qd-cactus-85",
-                         "qd-cat-109",
-                         "qd-dog-174",
-                         "qd-elephant-198",
-                         "qd-flower-237",
-                         "qd-giraffe-261",
-                         "qd-horse-279",
-                         "qd-lion-339",
-                         "qd-onion-392",
-                         "qd-rabbit-480",
-                         "qd-shark-506",
-                         "qd-snake-529"};
-  for (const char* name : names) {
-    const std::string text = readFile(folder + name + ".json");
-    if (text.empty()) {
-      WARN("no real strokes here; skipped");
-      return;
-    }
-    CAPTURE(name);
-    const auto stroke = readStroke(text);
-    REQUIRE(stroke);
-    requireSound(must(buildPart(stroke->points)));
-    requireSound(must(buildPart(stroke->points, previewOptions())));
+  const auto all = strokes::realStrokes();
+  if (all.empty()) WARN("no real strokes here; skipped");
+  for (const auto& stroke : all) {
+    CAPTURE(stroke.name);
+    requireSound(must(buildPart(stroke.points)));
+    requireSound(must(buildPart(stroke.points, previewOptions())));
   }
 }
 
