@@ -11,26 +11,99 @@
 
 namespace marrow {
 
+/// Ids of placed parts (placed_parts.h): a twin's id means the part it belongs to, but for moving.
+/// Each may be there once or twice; the order counts for nothing.
+using Ids = std::vector<std::string>;
+
 struct AddPart {
   std::vector<Vec2> stroke;
+  Frame frame;
+  std::optional<Plane> mirror;
 };
-struct DeletePart {
-  std::string id;
+struct DeleteParts {
+  Ids ids;
+};
+/// Copies of the parts with all that is set for them, placed `move` away, each after its original.
+/// Attachments among the copied parts are kept among the copies.
+struct DuplicateParts {
+  Ids ids;
+  Vec3 move;
+};
+/// Moves, turns and scales. A twin's id moves the twin, and its part as seen in the mirror. Where
+/// both are named the plane of symmetry goes with them, and so does the document's where all parts
+/// are named. What a map stretches unevenly is stretched into the stroke and the thickness.
+/// Errors: noArea for a map that flattens, or leaves the drawable.
+struct TransformParts {
+  Ids ids;
+  Affine map;
+  std::string verb = "Move";  // for the step's name: "Move leg"
 };
 struct SetThickness {
-  std::string id;
+  Ids ids;
   double thickness;
 };
-struct SetSimplify {
-  std::string id;
-  std::optional<double> epsilon_s;  // nothing: back to the default
-};
 struct SetColor {
-  std::string id;
+  Ids ids;
   Color color;
+};
+struct SetVisible {
+  Ids ids;
+  bool visible;
+};
+struct SetLocked {
+  Ids ids;
+  bool locked;
+};
+struct SetSkeleton {
+  Ids ids;
+  bool skeleton;
 };
 struct RenamePart {
   std::string id, name;
+};
+/// Another outline for a part: what contour editing gives. Errors: tooFewPoints, noArea.
+struct SetStroke {
+  std::string id;
+  std::vector<Vec2> stroke;
+};
+/// Twins across the plane; nothing: the twins go.
+struct SetMirror {
+  Ids ids;
+  std::optional<Plane> plane;
+};
+/// Twins become parts of their own.
+struct SeparateTwins {
+  Ids ids;
+};
+struct SetSymmetry {
+  std::optional<Plane> plane;
+};
+/// One threshold of a scope; nothing: back to the wider scope's.
+struct SetRefinement {
+  Ids ids;             // of parts; none: the whole model
+  std::string branch;  // key of a branch of the one part: ε_s alone
+  std::optional<double> Refinement::*threshold;
+  std::optional<double> value;
+};
+/// All thresholds of a scope, and of those within it where `within`.
+struct ResetRefinement {
+  Ids ids;  // none: the whole model
+  std::string branch;
+  bool within = false;
+};
+/// Hangs a part on another, or on none, whatever connecting finds; nothing: by itself again.
+struct SetAttachment {
+  std::string id;
+  std::optional<Attachment> attachment;
+};
+/// The part at which the bones of its tree begin. others: the rest of the tree, no longer roots.
+struct SetRoot {
+  std::string id;
+  Ids others;
+};
+/// A picture behind the strokes, in place of the one in that view; `image` null: none.
+struct SetReference {
+  Reference reference;
 };
 struct ReplaceDocument {  // open, new
   Document document;
@@ -40,8 +113,11 @@ struct ReplaceDocument {  // open, new
 /// Any one of the above. A type of its own rather than a variant, so that `apply` never means
 /// std::apply.
 struct Command {
-  using Step = std::variant<AddPart, DeletePart, SetThickness, SetSimplify, SetColor, RenamePart,
-                            ReplaceDocument>;
+  using Step =
+      std::variant<AddPart, DeleteParts, DuplicateParts, TransformParts, SetThickness, SetColor,
+                   SetVisible, SetLocked, SetSkeleton, RenamePart, SetStroke, SetMirror,
+                   SeparateTwins, SetSymmetry, SetRefinement, ResetRefinement, SetAttachment,
+                   SetRoot, SetReference, ReplaceDocument>;
   template <typename One, typename = std::enable_if_t<std::is_constructible_v<Step, One>>>
   Command(One one) : step(std::move(one)) {}
 
@@ -49,11 +125,12 @@ struct Command {
 };
 
 /// The document after the command; the given one is untouched. New parts get the next free id
-/// ("part-1", …), a name and a colour. Values out of range are clamped.
+/// ("part-1", …), a name and a colour. Values out of range are clamped. A command that changes
+/// nothing gives the same parts.
 /// Errors: notFound; tooFewPoints and noArea for a stroke that encloses nothing.
 Result<Document> apply(const Document& document, const Command& command);
 
-/// For the menu: "Draw part 3", "Delete part 3", "Thickness of part 3".
+/// For the menu: "Draw part 3", "Delete 4 parts", "Move leg".
 std::string describe(const Document& before, const Command& command);
 
 }  // namespace marrow

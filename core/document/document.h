@@ -3,13 +3,16 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/frame.h"
 #include "base/result.h"
 #include "base/vec.h"
+#include "rig/refinement.h"
 
 namespace marrow {
 
@@ -30,25 +33,56 @@ Color partColor(size_t index);
 constexpr double kLargestCoordinate = 1e50;
 /// Finite and not beyond the largest coordinate.
 bool isDrawable(Vec2 point);
+bool isDrawable(Vec3 point);
 
 constexpr double kMinThickness = 0.05, kMaxThickness = 4;
-constexpr double kMinEpsilonS = 0.1, kMaxEpsilonS = 200;
+
+/// What the user said about where a part hangs, against what connecting finds by itself.
+struct Attachment {
+  std::string part;  // the placed part to hang on (see placed_parts.h); empty: on none
+  Vec2 at;           // in that part's plane: the nearest place on its bones is meant
+};
+inline bool operator==(const Attachment& a, const Attachment& b) {
+  return a.part == b.part && a.at == b.at;
+}
 
 /// One closed stroke and what the user set for it.
 struct PartSource {
-  std::string id;  // unique in the document, never reused
+  std::string id;  // unique in the document, never reused; without ':'
   std::string name;
-  std::vector<Vec2> stroke;  // model units, y up, as drawn, drawable
+  std::vector<Vec2> stroke;  // in the part's plane, as drawn, drawable
+  Frame frame;               // places that plane in space
   double thickness = 1;      // scales the inflated depth; kMinThickness … kMaxThickness
+  std::optional<Plane> mirror;  // the part has a twin across this plane
+  bool skeleton = true;         // has bones of its own; ears and spikes need none
+  bool visible = true;          // a hidden part stays in the rig
+  bool locked = false;          // cannot be selected on the canvas, nor changed there
+  bool root = false;            // the bones of its tree begin here
   Color color;
-  std::optional<double> epsilon_s;  // "refine": {"simplify"}; unset: the default;
-                                    // kMinEpsilonS … kMaxEpsilonS
-  std::string extra = "{}";         // JSON object: fields this version does not know, kept on save
+  Refinement refine;                         // unset: the document's
+  std::map<std::string, double> branches;    // "refine": {"branches"}: ε_s of single branches, by
+                                             // the branch's key (see rig.h)
+  std::optional<Attachment> attachment;
+  std::string extra = "{}";  // JSON object: fields this version does not know, kept on save
+};
+
+/// A picture to draw after, in the plane through the origin of one of the views.
+struct Reference {
+  enum class View : uint8_t { front, right, top };
+  View view = View::front;
+  std::shared_ptr<const std::string> image;  // data URL: PNG, JPEG or WebP; never null
+  double opacity = 0.5;                      // 0 … 1
+  Vec2 position;     // of its middle, model units in the view: x to the right, y up
+  double scale = 1;  // model units per pixel of the picture
+  std::string extra = "{}";
 };
 
 struct Document {
   static constexpr int kVersion = 1;
   std::vector<std::shared_ptr<const PartSource>> parts;  // in modelling order, never null
+  Refinement refine;                                     // of the whole model; unset: the defaults
+  std::optional<Plane> symmetry;  // the character's symmetry plane, if the user gave one
+  std::vector<std::shared_ptr<const Reference>> references;  // at most one per view, never null
   uint64_t last_part = 0;    // largest n for which an id "part-n" was ever given
   std::string extra = "{}";  // as above
 

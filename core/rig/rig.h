@@ -1,0 +1,69 @@
+// Parts → one character with one hierarchical skeleton.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/frame.h"
+#include "document/placed_parts.h"
+#include "part/part.h"
+#include "rig/refinement.h"
+
+namespace marrow {
+
+/// What connecting and refining need to know of a placed part; plain references, to be made anew
+/// for every document.
+struct RigPart {
+  const PlacedPart* placed = nullptr;
+  const PartSource* source = nullptr;  // its settings
+  const Part* part = nullptr;          // null: no shape came of it; it is left out
+};
+
+enum class AttachEvent : uint8_t { split, connect };  // [RS §3.2, Fig. 9]
+enum class AttachTest : uint8_t {
+  joint,    // a terminal or junction joint of the child lies in the parent's proxy
+  overlap,  // the proxies themselves overlap
+  user,     // the user said so
+};
+const char* toString(AttachEvent event);
+const char* toString(AttachTest test);
+
+/// Where a child's skeleton hangs on its parent's. Indices: of placed parts, of joints and bones of
+/// Part::skeleton.
+struct Connection {
+  uint32_t child = 0, parent = 0;
+  AttachEvent event = AttachEvent::connect;
+  AttachTest test = AttachTest::joint;
+  uint32_t child_joint = 0;
+  uint32_t parent_joint = 0;  // of a connect event; of a split event the bone's first joint
+  uint32_t parent_bone = 0;   // of a split event
+  double along = 0;           // of a split event: 0 … 1 from the bone's first joint to its second
+  Vec3 child_position, parent_position;  // world
+};
+
+/// The skeleton of everything: a forest.
+struct Rig {
+  struct Joint {
+    std::string id;    // stays while the joint does: "part-3/n0" (end or junction 0 of the part),
+                       // "part-3/b1.17" (on branch 1), "part-3/a:part-5" (where that part hangs)
+    std::string name;  // "Leg.L.2": unique
+    uint32_t part = 0;     // placed part it belongs to
+    uint32_t branch = 0;   // of the part's own branches, the one it lies on
+    int32_t parent = -1;   // joint; −1: a root
+    Vec3 position;         // world
+    double radius = 0;     // of the ball there, model units
+    JointKind kind = JointKind::sleeve;  // by its bones in the rig
+  };
+  std::vector<Joint> joints;  // parents before their children
+  std::vector<std::array<uint32_t, 2>> bones;  // parent, child: one per joint that is no root
+  std::vector<uint32_t> roots;                 // joints, one per tree, in modelling order
+  std::vector<Connection> connections;         // by child
+  /// Placed parts without bones of their own, each with the joint that carries it, or −1.
+  std::vector<std::pair<uint32_t, int32_t>> carried;
+};
+
+}  // namespace marrow
