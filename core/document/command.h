@@ -113,11 +113,10 @@ struct ReplaceDocument {  // open, new
 /// Any one of the above. A type of its own rather than a variant, so that `apply` never means
 /// std::apply.
 struct Command {
-  using Step =
-      std::variant<AddPart, DeleteParts, DuplicateParts, TransformParts, SetThickness, SetColor,
-                   SetVisible, SetLocked, SetSkeleton, RenamePart, SetStroke, SetMirror,
-                   SeparateTwins, SetSymmetry, SetRefinement, ResetRefinement, SetAttachment,
-                   SetRoot, SetReference, ReplaceDocument>;
+  using Step = std::variant<AddPart, DeleteParts, DuplicateParts, TransformParts, SetThickness,
+                            SetColor, SetVisible, SetLocked, SetSkeleton, RenamePart, SetStroke,
+                            SetMirror, SeparateTwins, SetSymmetry, SetRefinement, ResetRefinement,
+                            SetAttachment, SetRoot, SetReference, ReplaceDocument>;
   template <typename One, typename = std::enable_if_t<std::is_constructible_v<Step, One>>>
   Command(One one) : step(std::move(one)) {}
 

@@ -12,7 +12,7 @@
 #include "base/frame.h"
 #include "base/result.h"
 #include "base/vec.h"
-#include "rig/refinement.h"
+#include "document/refinement.h"
 
 namespace marrow {
 
@@ -50,18 +50,18 @@ inline bool operator==(const Attachment& a, const Attachment& b) {
 struct PartSource {
   std::string id;  // unique in the document, never reused; without ':'
   std::string name;
-  std::vector<Vec2> stroke;  // in the part's plane, as drawn, drawable
-  Frame frame;               // places that plane in space
-  double thickness = 1;      // scales the inflated depth; kMinThickness … kMaxThickness
+  std::vector<Vec2> stroke;     // in the part's plane, as drawn, drawable
+  Frame frame;                  // places that plane in space
+  double thickness = 1;         // scales the inflated depth; kMinThickness … kMaxThickness
   std::optional<Plane> mirror;  // the part has a twin across this plane
   bool skeleton = true;         // has bones of its own; ears and spikes need none
   bool visible = true;          // a hidden part stays in the rig
   bool locked = false;          // cannot be selected on the canvas, nor changed there
   bool root = false;            // the bones of its tree begin here
   Color color;
-  Refinement refine;                         // unset: the document's
-  std::map<std::string, double> branches;    // "refine": {"branches"}: ε_s of single branches, by
-                                             // the branch's key (see rig.h)
+  Refinement refine;                       // unset: the document's
+  std::map<std::string, double> branches;  // "refine": {"branches"}: ε_s of single branches, by
+                                           // the branch's key (see rig.h)
   std::optional<Attachment> attachment;
   std::string extra = "{}";  // JSON object: fields this version does not know, kept on save
 };

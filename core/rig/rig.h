@@ -10,8 +10,8 @@
 
 #include "base/frame.h"
 #include "document/placed_parts.h"
+#include "document/refinement.h"
 #include "part/part.h"
-#include "rig/refinement.h"
 
 namespace marrow {
 
@@ -48,17 +48,17 @@ struct Connection {
 /// The skeleton of everything: a forest.
 struct Rig {
   struct Joint {
-    std::string id;    // stays while the joint does: "part-3/n0" (end or junction 0 of the part),
-                       // "part-3/b1.17" (on branch 1), "part-3/a:part-5" (where that part hangs)
-    std::string name;  // "Leg.L.2": unique
-    uint32_t part = 0;     // placed part it belongs to
-    uint32_t branch = 0;   // of the part's own branches, the one it lies on
-    int32_t parent = -1;   // joint; −1: a root
-    Vec3 position;         // world
-    double radius = 0;     // of the ball there, model units
+    std::string id;     // stays while the joint does: "part-3/n0" (end or junction 0 of the part),
+                        // "part-3/b1.17" (on branch 1), "part-3/a:part-5" (where that part hangs)
+    std::string name;   // "Leg.L.2": unique
+    uint32_t part = 0;  // placed part it belongs to
+    uint32_t branch = 0;                 // of the part's own branches, the one it lies on
+    int32_t parent = -1;                 // joint; −1: a root
+    Vec3 position;                       // world
+    double radius = 0;                   // of the ball there, model units
     JointKind kind = JointKind::sleeve;  // by its bones in the rig
   };
-  std::vector<Joint> joints;  // parents before their children
+  std::vector<Joint> joints;                   // parents before their children
   std::vector<std::array<uint32_t, 2>> bones;  // parent, child: one per joint that is no root
   std::vector<uint32_t> roots;                 // joints, one per tree, in modelling order
   std::vector<Connection> connections;         // by child
