@@ -7,11 +7,14 @@
 #include <vector>
 
 #include "document/document.h"
+#include "document/placed_parts.h"
 #include "part/part.h"
+#include "rig/refine.h"
+#include "rig/rig.h"
 
 namespace marrow {
 
-/// A part of the document with what was derived from it.
+/// A part of the document with what was derived from it, in its own plane.
 struct EvaluatedPart {
   std::shared_ptr<const PartSource> source;
   std::shared_ptr<const Part> part;  // null when `error` says why
@@ -24,23 +27,45 @@ class Evaluation {
  public:
   explicit Evaluation(PartOptions options = {}, Clock clock = nullptr);
 
-  /// Brings `parts()` up to date with `document`; O(parts) plus the work for what changed.
+  /// Brings everything below up to date with `document`; O(parts) plus the work for what changed. A
+  /// part is built anew when its stroke changed; its thickness redoes the depth of its mesh; what
+  /// places it in space touches the rig alone, and colours and the like not even that.
   void update(const Document& document);
+
+  /// One per part of the document.
   const std::vector<EvaluatedPart>& parts() const { return parts_; }
+  /// With their twins. `source` is an index of `parts()`.
+  const std::vector<PlacedPart>& placed() const { return placed_; }
+  /// The skeleton of all of them; its indices are of `placed()`.
+  const Rig& rig() const { return rig_; }
+  /// Changes when the rig does; never reused.
+  uint64_t rigId() const { return rig_id_; }
+
+  /// What `rig()` is made of, one per placed part. To know the rig with a part that is still being
+  /// drawn, add that one (its twin too) and call makeRig. Valid until the next update.
+  std::vector<RigPart> rigParts() const;
+
   /// How many parts the last update had to compute, wholly or in part.
   size_t recomputed() const { return recomputed_; }
+  /// How long the last update took: stages of the parts it computed, then connection, refinement.
+  const Timings& timings() const { return timings_; }
 
  private:
   EvaluatedPart evaluate(const std::shared_ptr<const PartSource>& source,
                          const EvaluatedPart* before);
   EvaluatedPart rebuild(const std::shared_ptr<const PartSource>& source);
-  double epsilonS(const PartSource& source) const;
+  void updateRig(const Document& document);
 
   PartOptions options_;
   Clock clock_;
   std::vector<EvaluatedPart> parts_;
+  std::vector<PlacedPart> placed_;
+  Refinement refine_;
+  Rig rig_;
+  Timings timings_;
   size_t recomputed_ = 0;
   uint64_t next_id_ = 1;
+  uint64_t rig_id_ = 0;
 };
 
 }  // namespace marrow
