@@ -22,6 +22,10 @@ const char* toSentence(Status status) {
       return "This drawing was made with a newer version of Marrow.";
     case Status::notFound:
       return "There is nothing there.";
+    case Status::locked:
+      return "It is locked. Unlock it to change it.";
+    case Status::tooMany:
+      return "This is more than a drawing holds.";
   }
   return "Something went wrong.";
 }

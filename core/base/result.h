@@ -18,6 +18,8 @@ enum class Status {
   unreadable,      // a file or text that is not what it should be
   newerVersion,    // a document written by a later version
   notFound,        // a part, a step or a file that is not there
+  locked,          // a part that the user locked
+  tooMany,         // more than a document holds
 };
 
 /// The sentence shown to the user for a code, always compiled in.

@@ -1,26 +1,81 @@
 #include "document/command.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
 #include <utility>
 
+#include "document/placed_parts.h"
+#include "document/placement.h"
+#include "document/reference_image.h"
 #include "sketch/outline.h"
 
 namespace marrow {
 namespace {
 
-Result<Document> notFound(const std::string& id) {
-  return {Status::notFound, "There is no part \"" + id + "\"."};
+using PartPointer = std::shared_ptr<const PartSource>;
+
+PartPointer share(PartSource part) { return std::make_shared<const PartSource>(std::move(part)); }
+
+/// On one line, whatever a name holds.
+std::string onOneLine(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+  }
+  return text;
 }
 
-/// The document with one part changed; the same part where the change changes nothing.
+Error notFound(const std::string& id) {
+  return {Status::notFound, "There is no part \"" + onOneLine(id) + "\"."};
+}
+Error noPlane() { return {Status::noArea, "This is no plane to mirror across."}; }
+
+/// Indices of the parts, each once, in modelling order.
+Result<std::vector<size_t>> findParts(const Document& document, const Ids& ids) {
+  std::vector<size_t> found;
+  for (const std::string& id : ids) {
+    const auto index = document.find(sourceId(id));
+    if (!index) return notFound(id);
+    found.push_back(*index);
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+/// The same without the locked ones. Errors: locked, where all are.
+Result<std::vector<size_t>> findUnlocked(const Document& document, const Ids& ids) {
+  auto found = findParts(document, ids);
+  if (!found || found->empty()) return found;
+  std::vector<size_t> unlocked;
+  for (size_t i : *found) {
+    if (!document.parts[i]->locked) unlocked.push_back(i);
+  }
+  if (!unlocked.empty()) return unlocked;
+  if (found->size() > 1) {
+    return {Status::locked, "These parts are locked. Unlock them to change them."};
+  }
+  return {Status::locked,
+          onOneLine(document.parts[found->front()]->name) + " is locked. Unlock it to change it."};
+}
+
+/// The document with some parts changed; the same parts where the change changes nothing.
 template <typename Change>
-Result<Document> changePart(const Document& document, const std::string& id, Change change) {
-  const auto index = document.find(id);
-  if (!index) return notFound(id);
-  PartSource part = *document.parts[*index];
+Result<Document> changeParts(const Document& document, const Result<std::vector<size_t>>& parts,
+                             Change change) {
+  if (!parts) return parts.error();
   Document next = document;
-  if (change(part)) next.parts[*index] = std::make_shared<const PartSource>(std::move(part));
+  for (size_t i : *parts) {
+    PartSource part = *document.parts[i];
+    if (change(part)) next.parts[i] = share(std::move(part));
+  }
   return next;
+}
+
+template <typename Change>
+Result<Document> changeUnlocked(const Document& document, const Ids& ids, Change change) {
+  return changeParts(document, findUnlocked(document, ids), change);
 }
 
 /// Sets `target`; true when that changed it.
@@ -36,96 +91,374 @@ double clamp(double value, double low, double high) {
   return value > low ? std::min(value, high) : low;
 }
 
+std::vector<Vec2> drawable(const std::vector<Vec2>& stroke) {
+  std::vector<Vec2> kept;
+  std::copy_if(stroke.begin(), stroke.end(), std::back_inserter(kept),
+               [](Vec2 p) { return isDrawable(p); });
+  return kept;
+}
+
+Error tooFarAway() { return {Status::noArea, "This is too far away to draw."}; }
+
 Result<Document> applyTo(const Document& document, const AddPart& command) {
+  if (document.parts.size() >= Document::kMostParts) return Status::tooMany;
   PartSource part;
-  std::copy_if(command.stroke.begin(), command.stroke.end(), std::back_inserter(part.stroke),
-               isDrawable);
+  part.stroke = drawable(command.stroke);
+  part.frame = command.frame;
+  if (!isSound(part.frame)) {
+    const auto fit = fitFrame(part.frame.origin, part.frame.x, part.frame.y);
+    if (!fit) return tooFarAway();
+    part.frame = fit->frame;
+    for (Vec2& p : part.stroke) p = (*fit)(p);
+  }
   auto outline = makeOutline(part.stroke);
   if (!outline) return outline.error();
+  if (!isDrawable(part.stroke, part.frame)) return tooFarAway();
+  if (command.mirror) {
+    part.mirror = normalised(*command.mirror);
+    if (!part.mirror) return noPlane();
+  }
 
   Document next = document;
   const uint64_t number = takePartNumber(next);
   part.id = partId(number);
   part.name = defaultPartName(number);
   part.color = partColor(static_cast<size_t>(number - 1));
-  next.parts.push_back(std::make_shared<const PartSource>(std::move(part)));
+  next.parts.push_back(share(std::move(part)));
   return next;
 }
 
-Result<Document> applyTo(const Document& document, const DeletePart& command) {
-  const auto index = document.find(command.id);
-  if (!index) return notFound(command.id);
+Result<Document> applyTo(const Document& document, const DeleteParts& command) {
+  const auto gone = findUnlocked(document, command.ids);
+  if (!gone) return gone.error();
   Document next = document;
-  next.parts.erase(next.parts.begin() + static_cast<std::ptrdiff_t>(*index));
+  next.parts.clear();
+  for (size_t i = 0; i < document.parts.size(); ++i) {
+    if (!std::binary_search(gone->begin(), gone->end(), i)) next.parts.push_back(document.parts[i]);
+  }
+  return next;
+}
+
+/// The name with the next number that no part's name has: "Leg", "Leg 2", "Leg 3".
+std::string numbered(const std::string& name, const std::set<std::string>& taken) {
+  size_t end = name.find_last_not_of("0123456789");
+  const bool has_number = end != std::string::npos && end > 0 && end + 1 < name.size() &&
+                          name.size() - end <= 7 && name[end] == ' ' && name[end + 1] != '0';
+  const std::string stem = has_number ? name.substr(0, end) : name;
+  uint64_t number = has_number ? std::stoul(name.substr(end + 1)) : 1;
+  std::string next;
+  do {
+    next = stem + " " + std::to_string(++number);
+  } while (taken.count(next) > 0);
+  return next;
+}
+
+std::set<std::string> namesOf(const Document& document) {
+  std::set<std::string> names;
+  for (const auto& part : document.parts) names.insert(part->name);
+  return names;
+}
+
+Result<Document> applyTo(const Document& document, const DuplicateParts& command) {
+  const auto originals = findParts(document, command.ids);
+  if (!originals) return originals.error();
+  if (document.parts.size() + originals->size() > Document::kMostParts) return Status::tooMany;
+  Affine move;
+  move.move = command.move;
+
+  Document next = document;
+  std::set<std::string> names = namesOf(document);
+  std::map<std::string, std::string> copy_of;
+  std::map<size_t, PartSource> copies;
+  for (size_t i : *originals) {
+    const PartSource& original = *document.parts[i];
+    auto copy = mapped(original, move);
+    if (!copy) return copy.error();
+    const uint64_t number = takePartNumber(next), own = partNumber(original.id);
+    copy->id = partId(number);
+    const bool unnamed = own > 0 && original.name == defaultPartName(own);
+    copy->name = unnamed ? defaultPartName(number) : numbered(original.name, names);
+    copy->locked = false;
+    names.insert(copy->name);
+    copy_of[original.id] = copy->id;
+    copies[i] = std::move(*copy);
+  }
+  next.parts.clear();
+  for (size_t i = 0; i < document.parts.size(); ++i) {
+    next.parts.push_back(document.parts[i]);
+    const auto found = copies.find(i);
+    if (found == copies.end()) continue;
+    PartSource& copy = found->second;
+    if (copy.attachment) {
+      std::string& part = copy.attachment->part;
+      const auto other = copy_of.find(sourceId(part));
+      if (other != copy_of.end()) part = other->second + (isTwinId(part) ? kTwinSuffix : "");
+    }
+    next.parts.push_back(share(std::move(copy)));
+  }
+  return next;
+}
+
+Result<Document> applyTo(const Document& document, const TransformParts& command) {
+  const auto parts = findUnlocked(document, command.ids);
+  if (!parts) return parts.error();
+  std::set<std::string> named(command.ids.begin(), command.ids.end());
+  Document next = document;
+  bool all = !parts->empty() && parts->size() == document.parts.size();
+  for (size_t i : *parts) {
+    const PartSource& part = *document.parts[i];
+    const bool twin = part.mirror && named.count(part.id + kTwinSuffix) > 0;
+    const bool itself = !twin || named.count(part.id) > 0;
+    all = all && itself && (twin || !part.mirror);
+    auto moved = mapped(part, itself ? command.map : mirrored(command.map, *part.mirror));
+    if (!moved) return moved.error();
+    if (itself && twin) {
+      moved->mirror = mapped(*part.mirror, command.map);
+      if (!moved->mirror) return noPlane();
+    }
+    const bool same = moved->frame == part.frame && moved->mirror == part.mirror &&
+                      moved->thickness == part.thickness && moved->stroke == part.stroke;
+    if (!same) next.parts[i] = share(std::move(*moved));
+  }
+  if (all && document.symmetry) {
+    next.symmetry = mapped(*document.symmetry, command.map);
+    if (!next.symmetry) return noPlane();
+  }
   return next;
 }
 
 Result<Document> applyTo(const Document& document, const SetThickness& command) {
   const double thickness = clamp(command.thickness, kMinThickness, kMaxThickness);
-  return changePart(document, command.id,
-                    [=](PartSource& part) { return assign(part.thickness, thickness); });
-}
-
-Result<Document> applyTo(const Document& document, const SetSimplify& command) {
-  auto epsilon_s = command.epsilon_s;
-  if (epsilon_s) epsilon_s = clamp(*epsilon_s, kMinEpsilonS, kMaxEpsilonS);
-  return changePart(document, command.id,
-                    [=](PartSource& part) { return assign(part.epsilon_s, epsilon_s); });
+  return changeUnlocked(document, command.ids,
+                        [=](PartSource& part) { return assign(part.thickness, thickness); });
 }
 
 Result<Document> applyTo(const Document& document, const SetColor& command) {
-  return changePart(document, command.id,
-                    [&](PartSource& part) { return assign(part.color, command.color); });
+  return changeUnlocked(document, command.ids,
+                        [&](PartSource& part) { return assign(part.color, command.color); });
+}
+
+Result<Document> applyTo(const Document& document, const SetVisible& command) {
+  return changeParts(document, findParts(document, command.ids),
+                     [&](PartSource& part) { return assign(part.visible, command.visible); });
+}
+
+Result<Document> applyTo(const Document& document, const SetLocked& command) {
+  return changeParts(document, findParts(document, command.ids),
+                     [&](PartSource& part) { return assign(part.locked, command.locked); });
+}
+
+Result<Document> applyTo(const Document& document, const SetSkeleton& command) {
+  return changeUnlocked(document, command.ids,
+                        [&](PartSource& part) { return assign(part.skeleton, command.skeleton); });
 }
 
 Result<Document> applyTo(const Document& document, const RenamePart& command) {
-  return changePart(document, command.id, [&](PartSource& part) {
+  return changeParts(document, findParts(document, {command.id}), [&](PartSource& part) {
     return !command.name.empty() && assign(part.name, command.name);
   });
+}
+
+Result<Document> applyTo(const Document& document, const SetStroke& command) {
+  const auto parts = findUnlocked(document, {command.id});
+  if (!parts) return parts.error();
+  const std::vector<Vec2> stroke = drawable(command.stroke);
+  auto outline = makeOutline(stroke);
+  if (!outline) return outline.error();
+  if (!isDrawable(stroke, document.parts[parts->front()]->frame)) return tooFarAway();
+  return changeParts(document, parts,
+                     [&](PartSource& part) { return assign(part.stroke, stroke); });
+}
+
+Result<Document> applyTo(const Document& document, const SetMirror& command) {
+  std::optional<Plane> plane;
+  if (command.plane) {
+    plane = normalised(*command.plane);
+    if (!plane) return noPlane();
+  }
+  return changeUnlocked(document, command.ids,
+                        [&](PartSource& part) { return assign(part.mirror, plane); });
+}
+
+/// Where the twin of a part hangs, if the part's attachment is this one.
+Attachment attachmentOfTwin(const Document& document, const Attachment& attachment,
+                            const Plane& plane) {
+  const auto index = document.find(sourceId(attachment.part));
+  if (!index) return attachment;
+  const PartSource& parent = *document.parts[*index];
+  if (parent.mirror) {
+    return {isTwinId(attachment.part) ? parent.id : parent.id + kTwinSuffix, attachment.at};
+  }
+  const Vec3 at = parent.frame.toLocal(mirrored(parent.frame.toWorld(attachment.at), plane));
+  return {attachment.part, {at.x, at.y}};
+}
+
+Result<Document> applyTo(const Document& document, const SeparateTwins& command) {
+  const auto found = findUnlocked(document, command.ids);
+  if (!found) return found.error();
+  Document next = document;
+  std::map<size_t, PartSource> twins;
+  std::map<std::string, std::string> new_id;  // of what was a twin
+  for (const PlacedPart& placed : placedParts(document)) {
+    if (!placed.twin || !std::binary_search(found->begin(), found->end(), placed.source)) continue;
+    const PartSource& part = *document.parts[placed.source];
+    PartSource twin = part;
+    twin.id = partId(takePartNumber(next));
+    twin.name = part.name + '.' + placed.side;
+    twin.frame = placed.frame;
+    twin.mirror.reset();
+    twin.root = false;
+    if (part.attachment) {
+      twin.attachment = attachmentOfTwin(document, *part.attachment, *part.mirror);
+    }
+    if (!isDrawable(twin.stroke, twin.frame)) return tooFarAway();
+    new_id[placed.id] = twin.id;
+    twins[placed.source] = std::move(twin);
+  }
+  if (document.parts.size() + twins.size() > Document::kMostParts) return Status::tooMany;
+
+  const auto retarget = [&](PartSource& part) {
+    if (!part.attachment) return false;
+    const auto id = new_id.find(part.attachment->part);
+    return id != new_id.end() && assign(part.attachment->part, id->second);
+  };
+  next.parts.clear();
+  for (size_t i = 0; i < document.parts.size(); ++i) {
+    PartSource part = *document.parts[i];
+    const auto twin = twins.find(i);
+    bool changed = retarget(part);
+    if (twin != twins.end()) {
+      part.name += twin->second.name.back() == 'L' ? ".R" : ".L";
+      part.mirror.reset();
+      changed = true;
+    }
+    next.parts.push_back(changed ? share(std::move(part)) : document.parts[i]);
+    if (twin == twins.end()) continue;
+    retarget(twin->second);
+    next.parts.push_back(share(std::move(twin->second)));
+  }
+  return next;
+}
+
+Result<Document> applyTo(const Document& document, const SetSymmetry& command) {
+  Document next = document;
+  next.symmetry.reset();
+  if (!command.plane) return next;
+  next.symmetry = normalised(*command.plane);
+  if (!next.symmetry) return noPlane();
+  return next;
+}
+
+Result<Document> applyTo(const Document& document, const SetRefinement& command) {
+  if (!command.threshold) return document;
+  auto value = command.value;
+  if (value) value = clamp(*value, 0, Refinement::kLargest);
+  if (command.ids.empty()) {
+    Document next = document;
+    next.refine.*command.threshold = value;
+    return next;
+  }
+  if (command.branch.empty()) {
+    return changeUnlocked(document, command.ids, [&](PartSource& part) {
+      return assign(part.refine.*command.threshold, value);
+    });
+  }
+  const auto parts = findUnlocked(document, command.ids);
+  if (!parts) return parts.error();
+  for (size_t i : *parts) {
+    const auto& branches = document.parts[i]->branches;
+    if (branches.size() >= PartSource::kMostBranches && !branches.count(command.branch)) {
+      return Status::tooMany;
+    }
+  }
+  if (command.threshold != &Refinement::simplify) return document;
+  return changeParts(document, parts, [&](PartSource& part) {
+    if (!value) return part.branches.erase(command.branch) > 0;
+    const auto [place, added] = part.branches.emplace(command.branch, *value);
+    return added || assign(place->second, *value);
+  });
+}
+
+Result<Document> applyTo(const Document& document, const ResetRefinement& command) {
+  const auto reset = [&](PartSource& part) {
+    bool changed = assign(part.refine, Refinement{});
+    if (command.within) changed |= assign(part.branches, {});
+    return changed;
+  };
+  if (command.ids.empty()) {
+    Document next = document;
+    next.refine = {};
+    if (!command.within) return next;
+    std::vector<size_t> unlocked;
+    for (size_t i = 0; i < document.parts.size(); ++i) {
+      if (!document.parts[i]->locked) unlocked.push_back(i);
+    }
+    return changeParts(next, unlocked, reset);
+  }
+  return changeUnlocked(document, command.ids, [&](PartSource& part) {
+    return command.branch.empty() ? reset(part) : part.branches.erase(command.branch) > 0;
+  });
+}
+
+Result<Document> applyTo(const Document& document, const SetAttachment& command) {
+  const auto parts = findUnlocked(document, {command.id});
+  if (!parts) return parts.error();
+  if (command.attachment && !command.attachment->part.empty()) {
+    const std::string& on = command.attachment->part;
+    const auto parent = document.find(sourceId(on));
+    if (!parent || (isTwinId(on) && !document.parts[*parent]->mirror)) return notFound(on);
+    if (*parent == parts->front()) {
+      return {Status::notFound, "A part cannot hang on itself."};
+    }
+  }
+  if (command.attachment && !isDrawable(command.attachment->at)) return tooFarAway();
+  return changeParts(document, parts,
+                     [&](PartSource& part) { return assign(part.attachment, command.attachment); });
+}
+
+Result<Document> applyTo(const Document& document, const SetRoot& command) {
+  const auto root = findParts(document, {command.id});
+  if (!root) return root.error();
+  const auto others = findParts(document, command.others);
+  if (!others) return others.error();
+  auto next =
+      changeParts(document, others, [](PartSource& part) { return assign(part.root, false); });
+  return changeParts(*next, root, [](PartSource& part) { return assign(part.root, true); });
+}
+
+Result<Document> applyTo(const Document& document, const SetReference& command) {
+  Document next = document;
+  auto& references = next.references;
+  const auto place = std::find_if(references.begin(), references.end(), [&](const auto& one) {
+    return one->view == command.reference.view;
+  });
+  if (!command.reference.image) {
+    if (place != references.end()) references.erase(place);
+    return next;
+  }
+  if (!isReferenceImage(*command.reference.image)) {
+    return {Status::unreadable, "The picture is neither PNG, JPEG nor WebP, or larger than 16 MB."};
+  }
+  Reference reference = command.reference;
+  if (!isDrawable(reference.position)) return tooFarAway();
+  reference.opacity = clamp(reference.opacity, 0, 1);
+  reference.scale = clamp(reference.scale, Reference::kMinScale, Reference::kMaxScale);
+  if (place != references.end()) {
+    *place = std::make_shared<const Reference>(std::move(reference));
+  } else {
+    references.push_back(std::make_shared<const Reference>(std::move(reference)));
+  }
+  return next;
 }
 
 Result<Document> applyTo(const Document&, const ReplaceDocument& command) {
   return command.document;
 }
 
-std::string named(const Document& document, const std::string& id) {
-  const auto index = document.find(id);
-  if (!index) return "a part";
-  const PartSource& part = *document.parts[*index];
-  const uint64_t number = partNumber(id);
-  if (number > 0 && part.name == defaultPartName(number)) return "part " + std::to_string(number);
-  return part.name;
-}
-
-std::string describeIn(const Document& before, const AddPart&) {
-  Document next = before;
-  return "Draw part " + std::to_string(takePartNumber(next));
-}
-std::string describeIn(const Document& before, const DeletePart& command) {
-  return "Delete " + named(before, command.id);
-}
-std::string describeIn(const Document& before, const SetThickness& command) {
-  return "Thickness of " + named(before, command.id);
-}
-std::string describeIn(const Document& before, const SetSimplify& command) {
-  return "Simplify " + named(before, command.id);
-}
-std::string describeIn(const Document& before, const SetColor& command) {
-  return "Colour of " + named(before, command.id);
-}
-std::string describeIn(const Document& before, const RenamePart& command) {
-  return "Rename " + named(before, command.id);
-}
-std::string describeIn(const Document&, const ReplaceDocument& command) { return command.name; }
-
 }  // namespace
 
 Result<Document> apply(const Document& document, const Command& command) {
   return std::visit([&](const auto& one) { return applyTo(document, one); }, command.step);
-}
-
-std::string describe(const Document& before, const Command& command) {
-  return std::visit([&](const auto& one) { return describeIn(before, one); }, command.step);
 }
 
 }  // namespace marrow

@@ -17,8 +17,8 @@ using Ids = std::vector<std::string>;
 
 struct AddPart {
   std::vector<Vec2> stroke;
-  Frame frame;
-  std::optional<Plane> mirror;
+  Frame frame = {};
+  std::optional<Plane> mirror = {};
 };
 struct DeleteParts {
   Ids ids;
@@ -71,7 +71,8 @@ struct SetMirror {
   Ids ids;
   std::optional<Plane> plane;
 };
-/// Twins become parts of their own.
+/// Twins become parts of their own, each after what was its mirror image; attachments to them stay.
+/// "Leg" becomes "Leg.L" and "Leg.R".
 struct SeparateTwins {
   Ids ids;
 };
@@ -126,7 +127,11 @@ struct Command {
 /// The document after the command; the given one is untouched. New parts get the next free id
 /// ("part-1", …), a name and a colour. Values out of range are clamped. A command that changes
 /// nothing gives the same parts.
-/// Errors: notFound; tooFewPoints and noArea for a stroke that encloses nothing.
+/// Locked parts stay as they are, but for SetLocked, SetVisible, RenamePart, SetRoot and what
+/// becomes of their copies, which are not locked.
+/// Errors: notFound; locked, where all parts are; tooFewPoints and noArea for a stroke that
+/// encloses nothing, noArea for a plane that is none or what leaves the drawable; tooMany;
+/// unreadable for a picture that is none.
 Result<Document> apply(const Document& document, const Command& command);
 
 /// For the menu: "Draw part 3", "Delete 4 parts", "Move leg".

@@ -8,7 +8,7 @@ namespace {
 
 constexpr char kIdPrefix[] = "part-";
 constexpr size_t kPrefixLength = sizeof kIdPrefix - 1;
-constexpr size_t kMostDigits = 15;
+constexpr size_t kMostDigits = 15;  // of kLargestPartNumber
 
 int hexDigit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -57,6 +57,10 @@ bool isDrawable(Vec2 point) {
   return std::fabs(point.x) <= kLargestCoordinate && std::fabs(point.y) <= kLargestCoordinate;
 }
 
+bool isDrawable(Vec3 point) {
+  return isDrawable(Vec2{point.x, point.y}) && isDrawable(Vec2{point.z, 0});
+}
+
 std::optional<size_t> Document::find(const std::string& id) const {
   for (size_t i = 0; i < parts.size(); ++i) {
     if (parts[i]->id == id) return i;
@@ -78,7 +82,7 @@ uint64_t partNumber(const std::string& id) {
 
 uint64_t takePartNumber(Document& document) {
   do {
-    ++document.last_part;
+    document.last_part = document.last_part < kLargestPartNumber ? document.last_part + 1 : 1;
   } while (document.find(partId(document.last_part)));
   return document.last_part;
 }

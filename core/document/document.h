@@ -48,6 +48,8 @@ inline bool operator==(const Attachment& a, const Attachment& b) {
 
 /// One closed stroke and what the user set for it.
 struct PartSource {
+  static constexpr size_t kMostBranches = 500;
+
   std::string id;  // unique in the document, never reused; without ':'
   std::string name;
   std::vector<Vec2> stroke;     // in the part's plane, as drawn, drawable
@@ -68,6 +70,8 @@ struct PartSource {
 
 /// A picture to draw after, in the plane through the origin of one of the views.
 struct Reference {
+  static constexpr double kMinScale = 1e-6, kMaxScale = 1e6;
+
   enum class View : uint8_t { front, right, top };
   View view = View::front;
   std::shared_ptr<const std::string> image;  // data URL: PNG, JPEG or WebP; never null
@@ -79,6 +83,8 @@ struct Reference {
 
 struct Document {
   static constexpr int kVersion = 1;
+  static constexpr size_t kMostParts = 10'000;
+
   std::vector<std::shared_ptr<const PartSource>> parts;  // in modelling order, never null
   Refinement refine;                                     // of the whole model; unset: the defaults
   std::optional<Plane> symmetry;  // the character's symmetry plane, if the user gave one
@@ -90,6 +96,8 @@ struct Document {
   std::optional<size_t> find(const std::string& id) const;
 };
 
+/// Behind it the numbers that are free begin again.
+constexpr uint64_t kLargestPartNumber = 999'999'999'999'999;
 /// The n of an id "part-n"; 0 for any other id.
 uint64_t partNumber(const std::string& id);
 /// Raises `last_part` to a number whose id no part has or had, and returns it.

@@ -2,62 +2,64 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <set>
 #include <utility>
 
+#include "document/reference_image.h"
 #include "io/json.h"
+#include "io/object_reader.h"
+#include "io/part_json.h"
 
 namespace marrow {
 namespace {
 
 constexpr char kFormat[] = "marrow";
-constexpr double kLargestPartNumber = 999'999'999'999'999;
 
 Error unreadable(std::string sentence) { return {Status::unreadable, std::move(sentence)}; }
 
-Json without(Json object, std::initializer_list<const char*> keys) {
-  for (const char* key : keys) object.erase(key);
-  return object;
-}
+constexpr struct {
+  Reference::View view;
+  const char* name;
+} kViews[] = {{Reference::View::front, "front"},
+              {Reference::View::right, "right"},
+              {Reference::View::top, "top"}};
 
-/// The object that `text` holds, or an empty one.
-Json extraFields(const std::string& text) {
-  auto extra = parseJson(text);
-  return extra && extra->is_object() ? std::move(*extra) : Json::object();
-}
-
-void append(Json& object, const Json& fields) {
-  for (const auto& item : fields.items()) {
-    if (!object.contains(item.key())) object[item.key()] = item.value();
-  }
-}
-
-/// The unknown fields of the inner object `key`, taken out of `extra`.
-Json takeInner(Json& extra, const char* key) {
-  const Json* inner = field(extra, key);
-  Json fields = inner && inner->is_object() ? *inner : Json::object();
-  extra.erase(key);
-  return fields;
-}
-
-Json partToTree(const PartSource& part) {
-  Json extra = extraFields(part.extra);
-  Json stroke = Json::object(), refine = Json::object();
-  stroke["points"] = toJson(part.stroke);
-  append(stroke, takeInner(extra, "stroke"));
-  if (part.epsilon_s) refine["simplify"] = toJson(*part.epsilon_s);
-  append(refine, takeInner(extra, "refine"));
-
+Json referenceToTree(const Reference& reference) {
   Json tree = Json::object();
-  tree["id"] = part.id;
-  tree["name"] = part.name;
-  tree["stroke"] = std::move(stroke);
-  tree["thickness"] = toJson(part.thickness);
-  tree["color"] = toString(part.color);
-  if (!refine.empty()) tree["refine"] = std::move(refine);
-  append(tree, extra);
+  for (const auto& view : kViews) {
+    if (view.view == reference.view) tree["view"] = view.name;
+  }
+  tree["image"] = *reference.image;
+  tree["opacity"] = toJson(reference.opacity);
+  tree["position"] = toJson(reference.position);
+  tree["scale"] = toJson(reference.scale);
+  appendFields(tree, extraFields(reference.extra));
   return tree;
+}
+
+Reference readReference(const Json& tree, const std::string& where, Fault& fault) {
+  Reference reference;
+  ObjectReader reader(tree, where, fault);
+  std::string name = reader.text("view");
+  if (!reader.has("view")) name = kViews[0].name;
+  const auto* view = std::find_if(std::begin(kViews), std::end(kViews),
+                                  [&](const auto& one) { return one.name == name; });
+  if (view == std::end(kViews)) {
+    reader.say("view", "is neither \"front\", \"right\" nor \"top\".");
+  } else {
+    reference.view = view->view;
+  }
+  std::string image = reader.text("image");
+  if (!isReferenceImage(image)) {
+    reader.say("image", "is no PNG, JPEG or WebP picture of up to 16 MB as a data URL.");
+  }
+  reference.image = std::make_shared<const std::string>(std::move(image));
+  reference.opacity = reader.number("opacity", 0, 1).value_or(reference.opacity);
+  reference.position = reader.point("position");
+  reference.scale =
+      reader.number("scale", Reference::kMinScale, Reference::kMaxScale).value_or(reference.scale);
+  reference.extra = toText(reader.rest());
+  return reference;
 }
 
 /// Largest number of the document's ids.
@@ -65,78 +67,6 @@ uint64_t largestPartNumber(const Document& document) {
   uint64_t largest = 0;
   for (const auto& part : document.parts) largest = std::max(largest, partNumber(part->id));
   return largest;
-}
-
-/// A field that may be missing; its value must be a text.
-Result<std::string> readText(const Json& object, const char* key, const std::string& where) {
-  const Json* value = field(object, key);
-  if (!value) return std::string();
-  if (!value->is_string()) return unreadable(where + "." + key + " is not a text.");
-  return value->get<std::string>();
-}
-
-/// A field that may be missing; its value must be a number, and is brought into the range.
-Result<std::optional<double>> readNumber(const Json& object, const char* key, double low,
-                                         double high, const std::string& where) {
-  const Json* value = field(object, key);
-  if (!value) return std::optional<double>();
-  if (!value->is_number()) return unreadable(where + "." + key + " is not a number.");
-  return std::optional<double>(std::clamp(value->get<double>(), low, high));
-}
-
-/// Everything but what another part's id decides: id, name and colour stay empty where missing.
-struct ReadPart {
-  PartSource part;
-  bool has_color = false;
-};
-
-Result<ReadPart> readPart(const Json& tree, const std::string& where) {
-  ReadPart read;
-  PartSource& part = read.part;
-  if (!tree.is_object()) return unreadable(where + " is not an object.");
-
-  auto id = readText(tree, "id", where);
-  if (!id) return id.error();
-  part.id = std::move(*id);
-  auto name = readText(tree, "name", where);
-  if (!name) return name.error();
-  part.name = std::move(*name);
-
-  const Json* stroke = field(tree, "stroke");
-  if (!stroke) return unreadable(where + ".stroke is missing.");
-  if (!stroke->is_object()) return unreadable(where + ".stroke is not an object.");
-  const Json* points = field(*stroke, "points");
-  if (!points) return unreadable(where + ".stroke.points is missing.");
-  auto samples = readPoints(*points, where + ".stroke.points");
-  if (!samples) return samples.error();
-  part.stroke = std::move(*samples);
-
-  auto thickness = readNumber(tree, "thickness", kMinThickness, kMaxThickness, where);
-  if (!thickness) return thickness.error();
-  part.thickness = thickness->value_or(1);
-
-  auto color_text = readText(tree, "color", where);
-  if (!color_text) return color_text.error();
-  read.has_color = tree.contains("color");
-  if (read.has_color) {
-    const auto color = parseColor(*color_text);
-    if (!color) return unreadable(where + ".color is not of the form \"#rrggbb\".");
-    part.color = *color;
-  }
-
-  Json extra = without(tree, {"id", "name", "stroke", "thickness", "color", "refine"});
-  Json stroke_extra = without(*stroke, {"points"});
-  if (!stroke_extra.empty()) extra["stroke"] = std::move(stroke_extra);
-  if (const Json* refine = field(tree, "refine")) {
-    if (!refine->is_object()) return unreadable(where + ".refine is not an object.");
-    auto simplify = readNumber(*refine, "simplify", kMinEpsilonS, kMaxEpsilonS, where + ".refine");
-    if (!simplify) return simplify.error();
-    part.epsilon_s = *simplify;
-    Json refine_extra = without(*refine, {"simplify"});
-    if (!refine_extra.empty()) extra["refine"] = std::move(refine_extra);
-  }
-  part.extra = toText(extra);
-  return read;
 }
 
 /// Nothing when the text's format and version are ours.
@@ -156,27 +86,101 @@ std::optional<Error> checkFormat(const Json& tree) {
   return std::nullopt;
 }
 
-/// The number below which no id is given again, where the text says it.
-Result<uint64_t> readLastPart(const Json& tree) {
-  const Json* value = field(tree, "lastPart");
-  if (!value) return uint64_t{0};
-  const double number = value->is_number() ? value->get<double>() : -1;
-  if (number < 0 || number > kLargestPartNumber || number != std::floor(number)) {
-    return unreadable("lastPart is not a whole number from 0.");
+/// The objects of a list that may be missing.
+std::vector<const Json*> readList(ObjectReader& reader, const char* key, Fault& fault) {
+  std::vector<const Json*> objects;
+  const Json* list = reader.value(key);
+  if (list && !list->is_array()) reader.say(key, "is not a list.");
+  if (!list || !list->is_array()) return objects;
+  for (const Json& one : *list) {
+    if (!one.is_object()) {
+      fault.say(std::string(key) + "[" + std::to_string(objects.size()) + "] is not an object.");
+      break;
+    }
+    objects.push_back(&one);
   }
-  return static_cast<uint64_t>(number);
+  return objects;
+}
+
+std::string place(const char* list, size_t index) {
+  return std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+void readReferences(ObjectReader& reader, Document& document, Fault& fault) {
+  std::set<Reference::View> views;
+  for (const Json* tree : readList(reader, "references", fault)) {
+    const std::string where = place("references", document.references.size());
+    Reference reference = readReference(*tree, where, fault);
+    if (!views.insert(reference.view).second) fault.say(where + ".view is used twice.");
+    if (fault.error()) return;
+    document.references.push_back(std::make_shared<const Reference>(std::move(reference)));
+  }
+}
+
+/// Ids, names and colours of parts that came without.
+void nameParts(std::vector<ReadPart>& read, const std::set<std::string>& ids, Document& document) {
+  for (const ReadPart& one : read) {
+    document.last_part = std::max(document.last_part, partNumber(one.part.id));
+  }
+  for (ReadPart& one : read) {
+    PartSource& part = one.part;
+    while (part.id.empty()) {
+      const std::string id = partId(takePartNumber(document));
+      if (ids.count(id) == 0) part.id = id;
+    }
+    const uint64_t own = partNumber(part.id);
+    const uint64_t number = own > 0 ? own : document.parts.size() + 1;
+    if (part.name.empty()) part.name = defaultPartName(number);
+    if (!one.has_color) part.color = partColor(static_cast<size_t>(number - 1));
+    document.parts.push_back(std::make_shared<const PartSource>(std::move(part)));
+  }
+}
+
+void readParts(ObjectReader& reader, Document& document, Fault& fault) {
+  std::vector<ReadPart> read;
+  std::set<std::string> ids;
+  for (const Json* tree : readList(reader, "parts", fault)) {
+    const std::string where = place("parts", read.size());
+    if (read.size() == Document::kMostParts) fault.say("parts are more than a drawing holds.");
+    read.push_back(readPart(*tree, where, fault));
+    const std::string& id = read.back().part.id;
+    if (!id.empty() && !ids.insert(id).second) fault.say(where + ".id is used twice.");
+    if (fault.error()) return;
+  }
+  nameParts(read, ids, document);
+}
+
+void readLastPart(ObjectReader& reader, Document& document) {
+  const Json* value = reader.value("lastPart");
+  if (!value) return;
+  const double number = value->is_number() ? value->get<double>() : -1;
+  if (number < 0 || number > static_cast<double>(kLargestPartNumber) ||
+      number != std::floor(number)) {
+    reader.say("lastPart", "is not a whole number from 0.");
+    return;
+  }
+  document.last_part = static_cast<uint64_t>(number);
 }
 
 }  // namespace
 
 std::string writeDocument(const Document& document) {
+  Json extra = extraFields(document.extra);
   Json tree = Json::object();
   tree["format"] = kFormat;
   tree["version"] = Document::kVersion;
   Json& parts = tree["parts"] = Json::array();
   for (const auto& part : document.parts) parts.push_back(partToTree(*part));
+  Json refine = refinementToTree(document.refine, takeInner(extra, "refine"));
+  if (!refine.empty()) tree["refine"] = std::move(refine);
+  const Json symmetry_extra = takeInner(extra, "symmetry");
+  if (document.symmetry) tree["symmetry"] = planeToTree(*document.symmetry, symmetry_extra);
+  if (!document.references.empty()) {
+    Json& references = tree["references"] = Json::array();
+    for (const auto& one : document.references) references.push_back(referenceToTree(*one));
+  }
   if (document.last_part > largestPartNumber(document)) tree["lastPart"] = document.last_part;
-  append(tree, extraFields(document.extra));
+  appendFields(tree, extra);
   return toText(tree);
 }
 
@@ -186,43 +190,22 @@ Result<Document> readDocument(const std::string& text) {
   const Json& tree = *parsed;
   if (auto error = checkFormat(tree)) return *error;
 
-  std::vector<ReadPart> read;
-  std::set<std::string> ids;
-  if (const Json* parts = field(tree, "parts")) {
-    if (!parts->is_array()) return unreadable("parts is not a list.");
-    for (const Json& part : *parts) {
-      const std::string where = "parts[" + std::to_string(read.size()) + "]";
-      auto one = readPart(part, where);
-      if (!one) return one.error();
-      const std::string& id = one->part.id;
-      if (id.empty() ? part.contains("id") : !ids.insert(id).second) {
-        return unreadable(where + ".id is " + (id.empty() ? "empty." : "used twice."));
-      }
-      read.push_back(std::move(*one));
-    }
-  }
-
   Document document;
-  auto last_part = readLastPart(tree);
-  if (!last_part) return last_part.error();
-  document.last_part = *last_part;
-  for (const ReadPart& one : read) {
-    document.last_part = std::max(document.last_part, partNumber(one.part.id));
+  Fault fault;
+  ObjectReader reader(tree, "", fault);
+  reader.asked("format");
+  reader.asked("version");
+  readLastPart(reader, document);
+  readParts(reader, document, fault);
+  if (const Json* refine = reader.object("refine")) {
+    ObjectReader inner(*refine, "refine", fault);
+    document.refine = readRefinement(inner);
+    reader.keepInner("refine", inner);
   }
-  for (ReadPart& one : read) {
-    PartSource& part = one.part;
-    if (part.id.empty()) {
-      do {
-        part.id = partId(++document.last_part);
-      } while (ids.count(part.id) > 0);
-    }
-    const uint64_t own = partNumber(part.id);
-    const uint64_t number = own > 0 ? own : document.parts.size() + 1;
-    if (part.name.empty()) part.name = defaultPartName(number);
-    if (!one.has_color) part.color = partColor(static_cast<size_t>(number - 1));
-    document.parts.push_back(std::make_shared<const PartSource>(std::move(part)));
-  }
-  document.extra = toText(without(tree, {"format", "version", "parts", "lastPart"}));
+  document.symmetry = reader.plane("symmetry");
+  readReferences(reader, document, fault);
+  document.extra = toText(reader.rest());
+  if (fault.error()) return *fault.error();
   return document;
 }
 

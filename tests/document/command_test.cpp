@@ -26,7 +26,7 @@ TEST_CASE("command: drawn parts get ids, names and colours in turn", "[command]"
     REQUIRE(part.name == "Part " + std::to_string(i + 1));
     REQUIRE(part.color == partColor(i));
     REQUIRE(part.thickness == 1);
-    REQUIRE_FALSE(part.epsilon_s);
+    REQUIRE_FALSE(part.refine.simplify);
     REQUIRE(document.find(part.id) == i);
   }
   REQUIRE_FALSE(document.find("part-4"));
@@ -34,11 +34,11 @@ TEST_CASE("command: drawn parts get ids, names and colours in turn", "[command]"
 
 TEST_CASE("command: the id of a deleted part is never given again", "[command]") {
   Document document = drawnDocument(3);
-  document = must(apply(document, DeletePart{"part-3"}));
+  document = must(apply(document, DeleteParts{{"part-3"}}));
   document = must(apply(document, AddPart{softStar(3, 50)}));
   REQUIRE(document.parts.back()->id == "part-4");
   for (const char* id : {"part-1", "part-2", "part-4"}) {
-    document = must(apply(document, DeletePart{id}));
+    document = must(apply(document, DeleteParts{{id}}));
   }
   REQUIRE(document.parts.empty());
 
@@ -72,9 +72,9 @@ TEST_CASE("command: a command leaves the given document and the other parts alon
   const Document before = drawnDocument(3);
   const std::string text = writeDocument(before);
   const std::vector<Command> commands = {
-      AddPart{softStar(3, 30)},           DeletePart{"part-2"},
-      SetThickness{"part-2", 2.5},        SetSimplify{"part-2", 12.0},
-      SetColor{"part-2", {1, 2, 3}},      RenamePart{"part-2", "Head"},
+      AddPart{softStar(3, 30)},           DeleteParts{{"part-2"}},
+      SetThickness{{"part-2"}, 2.5},      simplify("part-2", 12.0),
+      SetColor{{"part-2"}, {1, 2, 3}},    RenamePart{"part-2", "Head"},
       ReplaceDocument{{}, "New drawing"},
   };
   for (const Command& command : commands) {
@@ -92,7 +92,7 @@ TEST_CASE("command: settings out of range are brought into it", "[command]") {
   const Document document = drawnDocument(1);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto thickness = [&](double wanted) {
-    return must(apply(document, SetThickness{"part-1", wanted})).parts[0]->thickness;
+    return must(apply(document, SetThickness{{"part-1"}, wanted})).parts[0]->thickness;
   };
   REQUIRE(thickness(0.5) == 0.5);
   REQUIRE(thickness(-3) == kMinThickness);
@@ -100,12 +100,12 @@ TEST_CASE("command: settings out of range are brought into it", "[command]") {
   REQUIRE(thickness(HUGE_VAL) == kMaxThickness);
   REQUIRE(thickness(nan) == kMinThickness);
   const auto epsilon_s = [&](std::optional<double> wanted) {
-    return must(apply(document, SetSimplify{"part-1", wanted})).parts[0]->epsilon_s;
+    return must(apply(document, simplify("part-1", wanted))).parts[0]->refine.simplify;
   };
   REQUIRE(epsilon_s(7.0) == 7.0);
-  REQUIRE(epsilon_s(-7.0) == kMinEpsilonS);
-  REQUIRE(epsilon_s(HUGE_VAL) == kMaxEpsilonS);
-  REQUIRE(epsilon_s(nan) == kMinEpsilonS);
+  REQUIRE(epsilon_s(-7.0) == 0);
+  REQUIRE(epsilon_s(HUGE_VAL) == Refinement::kLargest);
+  REQUIRE(epsilon_s(nan) == 0);
   REQUIRE_FALSE(epsilon_s(std::nullopt));
 }
 
@@ -113,8 +113,8 @@ TEST_CASE("command: a change that changes nothing keeps the part itself", "[comm
   const Document before = drawnDocument(2);
   const PartSource& part = *before.parts[0];
   const std::vector<Command> commands = {
-      SetThickness{part.id, part.thickness}, SetSimplify{part.id, part.epsilon_s},
-      SetColor{part.id, part.color}, RenamePart{part.id, part.name}, RenamePart{part.id, ""}};
+      SetThickness{{part.id}, part.thickness}, simplify(part.id, part.refine.simplify),
+      SetColor{{part.id}, part.color}, RenamePart{part.id, part.name}, RenamePart{part.id, ""}};
   for (const Command& command : commands) {
     REQUIRE(must(apply(before, command)).parts[0] == before.parts[0]);
   }
@@ -122,8 +122,8 @@ TEST_CASE("command: a change that changes nothing keeps the part itself", "[comm
 
 TEST_CASE("command: a part that is not there is not found", "[command]") {
   const Document document = drawnDocument(1);
-  const std::vector<Command> commands = {DeletePart{"part-9"}, SetThickness{"", 1},
-                                         SetSimplify{"Part 1", 1.0}, SetColor{"part-10", {}},
+  const std::vector<Command> commands = {DeleteParts{{"part-9"}}, SetThickness{{""}, 1},
+                                         simplify("Part 1", 1.0), SetColor{{"part-10"}, {}},
                                          RenamePart{"part", "x"}};
   for (const Command& command : commands) {
     const auto result = apply(document, command);
@@ -136,14 +136,14 @@ TEST_CASE("command: a part that is not there is not found", "[command]") {
 TEST_CASE("command: steps are named for the menu", "[command]") {
   Document document = drawnDocument(3);
   REQUIRE(describe(document, AddPart{}) == "Draw part 4");
-  REQUIRE(describe(document, DeletePart{"part-3"}) == "Delete part 3");
-  REQUIRE(describe(document, SetThickness{"part-3", 2}) == "Thickness of part 3");
-  REQUIRE(describe(document, SetSimplify{"part-3", 2.0}) == "Simplify part 3");
-  REQUIRE(describe(document, SetColor{"part-3", {}}) == "Colour of part 3");
+  REQUIRE(describe(document, DeleteParts{{"part-3"}}) == "Delete part 3");
+  REQUIRE(describe(document, SetThickness{{"part-3"}, 2}) == "Thickness of part 3");
+  REQUIRE(describe(document, simplify("part-3", 2.0)) == "Simplify part 3");
+  REQUIRE(describe(document, SetColor{{"part-3"}, {}}) == "Colour of part 3");
   REQUIRE(describe(document, RenamePart{"part-3", "Tail"}) == "Rename part 3");
   REQUIRE(describe(document, ReplaceDocument{{}, "Open"}) == "Open");
   document = must(apply(document, RenamePart{"part-3", "Tail"}));
-  REQUIRE(describe(document, DeletePart{"part-3"}) == "Delete Tail");
-  document = must(apply(document, DeletePart{"part-3"}));
+  REQUIRE(describe(document, DeleteParts{{"part-3"}}) == "Delete Tail");
+  document = must(apply(document, DeleteParts{{"part-3"}}));
   REQUIRE(describe(document, AddPart{}) == "Draw part 4");
 }

@@ -54,10 +54,10 @@ TEST_CASE("document: a number that a foreign id took is not given again", "[docu
 }
 
 TEST_CASE("document: only finite points that are not too far away can be drawn", "[document]") {
-  REQUIRE(isDrawable({0, 0}));
-  REQUIRE(isDrawable({-kLargestCoordinate, kLargestCoordinate}));
-  REQUIRE_FALSE(isDrawable({0, 2 * kLargestCoordinate}));
-  REQUIRE_FALSE(isDrawable({HUGE_VAL, 0}));
-  REQUIRE_FALSE(isDrawable({0, -HUGE_VAL}));
-  REQUIRE_FALSE(isDrawable({std::nan(""), 0}));
+  REQUIRE(isDrawable(Vec2{0, 0}));
+  REQUIRE(isDrawable(Vec2{-kLargestCoordinate, kLargestCoordinate}));
+  REQUIRE_FALSE(isDrawable(Vec2{0, 2 * kLargestCoordinate}));
+  REQUIRE_FALSE(isDrawable(Vec2{HUGE_VAL, 0}));
+  REQUIRE_FALSE(isDrawable(Vec2{0, -HUGE_VAL}));
+  REQUIRE_FALSE(isDrawable(Vec2{std::nan(""), 0}));
 }

@@ -22,11 +22,11 @@ TEST_CASE("history: undo and redo restore every document byte for byte", "[histo
   History history;
   std::vector<std::string> texts{writeDocument(history.current())};
   const std::vector<Command> commands = {
-      AddPart{softStar(3, 50)},      AddPart{softStar(4, 70, {200, 0})},
-      SetThickness{"part-1", 1.5},   SetSimplify{"part-2", 9.0},
-      SetColor{"part-1", {9, 8, 7}}, RenamePart{"part-1", "Head"},
-      DeletePart{"part-2"},          AddPart{softStar(5, 60)},
-      SetSimplify{"part-3", {}},     ReplaceDocument{{}, "New drawing"},
+      AddPart{softStar(3, 50)},         AddPart{softStar(4, 70, {200, 0})},
+      SetThickness{{"part-1"}, 1.5},    simplify("part-2", 9.0),
+      SetColor{{"part-1"}, {9, 8, 7}},  RenamePart{"part-1", "Head"},
+      DeleteParts{{"part-2"}},          AddPart{softStar(5, 60)},
+      simplify("part-3", std::nullopt), ReplaceDocument{{}, "New drawing"},
   };
   std::vector<std::string> names;
   for (const Command& command : commands) {
@@ -53,7 +53,7 @@ TEST_CASE("history: undo and redo restore every document byte for byte", "[histo
 TEST_CASE("history: undo brings back the parts themselves", "[history]") {
   History history(drawnDocument(2));
   const auto parts = history.current().parts;
-  history.push(*apply(history.current(), SetThickness{"part-2", 3}), "Thickness");
+  history.push(*apply(history.current(), SetThickness{{"part-2"}, 3}), "Thickness");
   REQUIRE(history.current().parts[0] == parts[0]);
   history.undo();
   REQUIRE(history.current().parts == parts);
@@ -61,11 +61,11 @@ TEST_CASE("history: undo brings back the parts themselves", "[history]") {
 
 TEST_CASE("history: a new step forgets what was undone", "[history]") {
   History history(drawnDocument(3));
-  history.push(*apply(history.current(), DeletePart{"part-1"}), "Delete part 1");
-  history.push(*apply(history.current(), DeletePart{"part-2"}), "Delete part 2");
+  history.push(*apply(history.current(), DeleteParts{{"part-1"}}), "Delete part 1");
+  history.push(*apply(history.current(), DeleteParts{{"part-2"}}), "Delete part 2");
   history.undo();
   history.undo();
-  history.push(*apply(history.current(), DeletePart{"part-3"}), "Delete part 3");
+  history.push(*apply(history.current(), DeleteParts{{"part-3"}}), "Delete part 3");
   REQUIRE_FALSE(history.canRedo());
   REQUIRE(history.undoName() == "Delete part 3");
   history.undo();

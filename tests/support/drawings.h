@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "base/vec.h"
@@ -29,6 +31,11 @@ inline Document drawnDocument(int count) {
     document = *next;
   }
   return document;
+}
+
+/// Sets ε_s of one part, or takes it back.
+inline SetRefinement simplify(const std::string& id, std::optional<double> value) {
+  return {{id}, "", &Refinement::simplify, value};
 }
 
 inline std::vector<Vec2> randomPoints(Random& random, int count) {
