@@ -91,6 +91,8 @@ struct Document {
   std::vector<std::shared_ptr<const Reference>> references;  // at most one per view, never null
   uint64_t last_part = 0;    // largest n for which an id "part-n" was ever given
   std::string extra = "{}";  // as above
+  uint64_t drawing = 0;      // the app's number for what was opened or begun; not saved, so that
+                             // undoing "Open" brings back which file the drawing belongs to
 
   /// Index of the part with this id, or nothing.
   std::optional<size_t> find(const std::string& id) const;

@@ -1,8 +1,9 @@
-# Shaders, fonts and icons, compiled into the app. marrow_add_assets() makes the library
-# marrow_assets with three headers, written to the build folder:
+# Shaders, fonts, icons and samples, compiled into the app. marrow_add_assets() makes the library
+# marrow_assets with four headers, written to the build folder:
 #   shaders.h  shaderSource("part.vert"): the text of shaders/part.vert
 #   fonts.h    kUiFont, kUiFontBold, kIconFont: OpenType files, cut down to what is used
 #   icons.h    kIconUndo2 for the line "undo-2" of web/icons.txt: UTF-8 text in the icon font
+#   samples.h  samples(): the drawings of public/samples
 # The icons' names and pictures: https://lucide.dev/icons
 
 set(MARROW_UI_CHARACTERS
@@ -108,8 +109,13 @@ function(marrow_add_assets)
     COMMAND "${CMAKE_COMMAND}" -DKIND=fonts "-DOUT=${out}"
             "-DFILES=${ui_font};${ui_font_bold};${icon_font}" -P "${embed}"
     DEPENDS "${ui_font}" "${ui_font_bold}" "${icon_font}" "${embed}" VERBATIM)
+  file(GLOB samples CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/public/samples/*.json")
+  add_custom_command(
+    OUTPUT "${out}/samples.h" "${out}/samples.cpp"
+    COMMAND "${CMAKE_COMMAND}" -DKIND=samples "-DOUT=${out}" "-DFILES=${samples}" -P "${embed}"
+    DEPENDS ${samples} "${embed}" VERBATIM)
   add_library(marrow_assets STATIC "${out}/shaders.cpp" "${out}/shaders.h" "${out}/fonts.cpp"
-              "${out}/fonts.h")
+              "${out}/fonts.h" "${out}/samples.cpp" "${out}/samples.h")
   target_include_directories(marrow_assets PUBLIC "${out}")
 endfunction()
 

@@ -1,4 +1,4 @@
-# cmake -DKIND=shaders|fonts -DOUT=FOLDER -DFILES=A;B -P embed.cmake: writes files as C++ sources.
+# cmake -DKIND=shaders|fonts|samples -DOUT=FOLDER -DFILES=A;B -P embed.cmake: writes files as C++ sources.
 
 # write(NAME TEXT)
 function(write name text)
@@ -31,6 +31,37 @@ std::string_view shaderSource(std::string_view file) {
   endforeach()
   string(APPEND text "  return {};\n}\n\n}  // namespace marrow\n")
   write(shaders.cpp "${text}")
+elseif(KIND STREQUAL "samples")
+  list(LENGTH FILES count)
+  write(samples.h "#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace marrow {
+
+/// A drawing of public/samples.
+struct Sample {
+  std::string_view file;  // \"dog.json\"
+  std::string_view name;  // \"Dog\"
+  std::string_view text;
+};
+const std::array<Sample, ${count}>& samples();
+
+}  // namespace marrow
+")
+  set(text "#include \"samples.h\"\n\nnamespace marrow {\nnamespace {\n\n")
+  string(APPEND text "constexpr std::array<Sample, ${count}> kSamples{{\n")
+  foreach(file IN LISTS FILES)
+    get_filename_component(base "${file}" NAME)
+    file(READ "${file}" source)
+    string(JSON name GET "${source}" name)
+    string(APPEND text "    {\"${base}\", \"${name}\", R\"json(${source})json\"},\n")
+  endforeach()
+  string(APPEND text "}};\n\n}  // namespace\n\n"
+         "const std::array<Sample, ${count}>& samples() { return kSamples; }\n\n"
+         "}  // namespace marrow\n")
+  write(samples.cpp "${text}")
 elseif(KIND STREQUAL "fonts")
   set(header "#pragma once
 

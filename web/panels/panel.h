@@ -8,6 +8,7 @@
 
 #include "document/evaluation.h"
 #include "document/history.h"
+#include "keep/shelf.h"
 #include "meter.h"
 #include "ui_state.h"
 
@@ -18,11 +19,13 @@ struct PanelInput {
   const Document& shown;                    // the current document with the edit under the hand
   const std::vector<EvaluatedPart>& parts;  // of `shown`
   const Meter& meter;
+  const Shelf& shelf;
   bool drawing = false;  // a stroke is under way
 };
 
 struct Requests {
   std::vector<Command> commands;
+  std::vector<FileAction> files;
   bool commit_edit = false;  // UiState::edit becomes a command
   bool undo = false, redo = false;
   bool frame_all = false;
@@ -37,6 +40,11 @@ void drawViewControls(const PanelInput& input, UiState& ui, Requests& requests);
 void drawPartPanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawPerformancePanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawHelpPanel(const PanelInput& input, UiState& ui, Requests& requests);
+void drawFilePanel(const PanelInput& input, UiState& ui, Requests& requests);
+/// The offer to go on with a kept drawing.
+void drawOffer(const PanelInput& input, UiState& ui, Requests& requests);
+void drawGalleryPanel(const PanelInput& input, UiState& ui, Requests& requests);
+void drawReferencePanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawHint(const PanelInput& input, UiState& ui, Requests& requests);
 void drawToast(const PanelInput& input, UiState& ui, Requests& requests);
 

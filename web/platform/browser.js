@@ -10,12 +10,13 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
     stringToUTF8(text, address, size);
     return address;
   };
-  const call = (name, text = '') => {
+  const raw = (name, text = '') => {
     const pointers = [copied(name), copied(text)];
     const answer = UTF8ToString(_marrow_call(pointers[0], pointers[1]));
     pointers.forEach(_free);
-    return JSON.parse(answer);
+    return answer;
   };
+  const call = (name, text) => JSON.parse(raw(name, text));
 
   // Frames: only when something happened or the app asked for one.
   let scheduled = false, timer = 0, contextLosses = 0, contextAlive = true;
@@ -27,11 +28,26 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
     if (wait === 0) wake();
     if (wait > 0) timer = setTimeout(wake, wait);
     syncTextField();
+    runJobs();
   }
   function wake() {
     if (scheduled) return;
     scheduled = true;
     requestAnimationFrame(frame);
+  }
+
+  // What the app asks of files, storage and pictures, which have scripts of their own.
+  const host = {
+    call, raw, wake, frame, canvas, runJobs, perform: {},
+    say(sentence) { call('say', sentence); wake(); },
+  };
+  marrowFiles(host);
+  marrowPictures(host);
+  marrowStorage(host);
+  function runJobs() {
+    const asked = call('jobs');
+    if (document.title !== asked.title) document.title = asked.title;
+    for (const job of asked.jobs) host.perform[job.kind](job);
   }
 
   // Pointers. A pointer that is held belongs to the canvas until it goes up.
@@ -98,6 +114,8 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
     const key = latin ? event.key.toLowerCase() : event.code.replace(/^Key/, '').toLowerCase();
     if (event.ctrlKey || event.metaKey) {
       if (key === 'z') return event.shiftKey ? 'redo' : 'undo';
+      if (key === 's') return event.shiftKey ? 'saveAs' : 'save';
+      if (key === 'o') return event.shiftKey ? undefined : 'open';
       return key === 'y' ? 'redo' : key === 'a' ? 'selectAll' : undefined;
     }
     return event.altKey ? undefined : plainKeys[key];

@@ -1,0 +1,191 @@
+// The drawing as a whole: its name, its file, samples and kept drawings; and the offer to go on with
+// one of those.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "icons.h"
+#include "panels/menu_rows.h"
+#include "panels/panel.h"
+
+namespace marrow {
+namespace {
+
+using Kind = FileAction::Kind;
+
+std::string inWords(const Recent& recent, const PanelInput& input, const UiState& ui) {
+  const double since_s = (ui.now_ms - input.shelf.keeping.recentSince_ms()) / 1000;
+  return ageInWords(recent.age_s + since_s);
+}
+
+const char* nameOf(const Recent& recent) {
+  return recent.name.empty() ? Keeping::kNoName : recent.name.c_str();
+}
+
+/// Of a kept drawing; asked for where it is not there yet.
+const Thumbnail* thumbnailOf(const Recent& recent, const PanelInput& input, UiState& ui,
+                             Requests& requests) {
+  const Thumbnail* thumbnail = input.shelf.thumbnails.find(recent.key());
+  if (!thumbnail && ui.peeked.insert(recent.key()).second) {
+    requests.files.push_back({Kind::peek, recent.slot});
+  }
+  return thumbnail;
+}
+
+/// A field for one line of text; true when the user is done with it.
+bool textField(const char* id, std::string& text, const char* hint, float width) {
+  std::array<char, 512> bytes{};
+  text.copy(bytes.data(), bytes.size() - 1);
+  ImGui::SetNextItemWidth(width);
+  const bool done = ImGui::InputTextWithHint(
+      (std::string("##") + id).c_str(), hint, bytes.data(), bytes.size(),
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  notePlace(id);
+  text = bytes.data();
+  return done || ImGui::IsItemDeactivatedAfterEdit();
+}
+
+void drawName(const Keeping& keeping, UiState& ui, Requests& requests) {
+  std::string name = keeping.name();
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      ImVec2(10, (rowHeight(ui) - ImGui::GetFontSize()) / 2));
+  const bool done =
+      textField("name", name, "Name of the drawing", ImGui::GetContentRegionAvail().x);
+  ImGui::PopStyleVar();
+  if (done && !name.empty() && name != keeping.name()) {
+    requests.files.push_back({Kind::rename, name});
+  }
+}
+
+// Where the platform has no dialogs of its own: the path is typed.
+void drawPath(const Keeping& keeping, UiState& ui, Requests& requests) {
+  if (!ui.file_path_edited) {
+    ui.file_path =
+        keeping.place().empty() ? fileName(keeping.name()) + ".json" : keeping.place();
+  }
+  const float height = rowHeight(ui), width = ImGui::GetContentRegionAvail().x;
+  heading("File");
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      ImVec2(10, (height - ImGui::GetFontSize()) / 2));
+  const std::string before = ui.file_path;
+  textField("path", ui.file_path, "Folder and name", width);
+  ImGui::PopStyleVar();
+  ui.file_path_edited |= ui.file_path != before;
+  const float half = (width - 8) / 2;
+  ButtonLook look{"Opens the file with this path  (Ctrl O)"};
+  look.width = half;
+  if (textButton("open", "Open", height, look)) {
+    requests.files.push_back({Kind::open, ui.file_path});
+    ui.file_path_edited = false;
+  }
+  ImGui::SameLine();
+  look.tooltip = "Writes the drawing to this path  (Ctrl S)";
+  if (textButton("save", "Save", height, look)) {
+    requests.files.push_back({Kind::save_as, ui.file_path});
+    ui.file_path_edited = false;
+  }
+}
+
+void drawRecent(const PanelInput& input, UiState& ui, Requests& requests) {
+  const Keeping& keeping = input.shelf.keeping;
+  ImGui::Dummy({0, 2});
+  heading("Recent drawings");
+  if (!keeping.has_storage) {
+    softText("This browser keeps nothing here: save your drawing in a file.");
+    return;
+  }
+  if (keeping.recent().empty()) {
+    softText("Drawings are kept by themselves and wait here, the last ten.");
+    return;
+  }
+  for (const Recent& recent : keeping.recent()) {
+    ImGui::PushID(recent.slot.c_str());
+    if (thumbnailRow("recent", thumbnailOf(recent, input, ui, requests), nameOf(recent),
+                     inWords(recent, input, ui).c_str(), 56)) {
+      requests.files.push_back({Kind::restore, recent.slot});
+      ui.open.file = false;
+      requests.again = true;
+    }
+    ImGui::PopID();
+  }
+}
+
+}  // namespace
+
+void drawFilePanel(const PanelInput& input, UiState& ui, Requests& requests) {
+  if (!ui.open.file || input.drawing) {
+    ui.file_listed = false;
+    return;
+  }
+  if (!ui.file_listed) {
+    ui.file_listed = true;
+    requests.files.push_back({Kind::list, {}});
+  }
+  const Keeping& keeping = input.shelf.keeping;
+  beginPanel("file", menuBox(ui, 320));
+  if (titleRow("Drawing", ui)) {
+    ui.open.file = false;
+    requests.again = true;
+  }
+  const float height = rowHeight(ui);
+  drawName(keeping, ui, requests);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 0));
+  const auto row = [&](const char* id, const char* icon, const char* text, const char* keys,
+                       Kind kind, bool enabled = true) {
+    if (!menuRow(id, icon, text, keys, height, enabled)) return;
+    requests.files.push_back({kind, {}});
+    if (kind != Kind::save) ui.open.file = false;
+    requests.again = true;
+  };
+  row("new", kIconFilePlus, "New", "", Kind::begin, !keeping.empty());
+  if (keeping.dialogs) {
+    row("open", kIconFolderOpen, "Open\xE2\x80\xA6", "Ctrl O", Kind::open);
+    row("save", kIconSave, "Save", "Ctrl S", Kind::save);
+    row("save as", kIconSaveAll, "Save as\xE2\x80\xA6", "Shift Ctrl S", Kind::save_as);
+  }
+  if (menuRow("samples", kIconShapes, "Samples", "", height)) {
+    ui.openOnly(&PanelsOpen::gallery);
+    requests.again = true;
+  }
+  ImGui::PopStyleVar();
+  if (!keeping.dialogs) drawPath(keeping, ui, requests);
+  drawRecent(input, ui, requests);
+  endPanel();
+}
+
+void drawOffer(const PanelInput& input, UiState& ui, Requests& requests) {
+  const Recent* offer = input.shelf.keeping.offer();
+  const PanelsOpen& open = ui.open;
+  if (!offer || input.drawing || open.file || open.gallery || open.picture) return;
+  const Recent recent = *offer;
+  const float side = ui.touch() ? 44.0f : 34.0f;
+  PanelBox box;
+  box.anchor = {0.5f, 0};
+  box.width = std::min(canvasWidth(ui) - 2 * margin(ui), 380.0f);
+  const float top = ui.narrow() ? std::max(barHeight(ui), gizmoSide(ui)) + margin(ui) : 0;
+  box.position = {canvasWidth(ui) / 2, top + margin(ui)};
+  beginPanel("offer", box);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  thumbnailAt(thumbnailOf(recent, input, ui, requests), at, {at.x + 72, at.y + 54}, 6);
+  ImGui::Dummy({72, 54});
+  ImGui::SameLine();
+  ImGui::BeginGroup();
+  ImGui::Dummy({0, 1});
+  heading("Go on with your drawing?");
+  const std::string words = std::string(nameOf(recent)) + ", " + inWords(recent, input, ui);
+  softText(shortened(words, ImGui::GetContentRegionAvail().x).c_str());
+  ImGui::EndGroup();
+  const float width = (ImGui::GetContentRegionAvail().x - 8) / 2;
+  ButtonLook look{"It stays among the recent drawings"};
+  look.width = width;
+  if (textButton("not now", "Not now", side, look)) {
+    requests.files.push_back({Kind::dismiss, recent.slot});
+  }
+  ImGui::SameLine();
+  if (accentButton("open", "Open", width, side)) {
+    requests.files.push_back({Kind::restore, recent.slot});
+  }
+  endPanel();
+}
+
+}  // namespace marrow

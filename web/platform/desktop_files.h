@@ -1,0 +1,41 @@
+// Files for the desktop app: what the browser's scripts do for the one in a page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app.h"
+#include "platform/autosaves.h"
+
+namespace marrow {
+
+class DesktopFiles {
+ public:
+  /// keeps: drawings are kept by themselves.
+  DesktopFiles(App& app, bool keeps);
+
+  /// Tells the app which drawings are kept; the newest one is offered.
+  void start();
+  /// Opens a drawing, or takes a picture to draw after. Errors are said in the app.
+  Result<bool> open(const std::string& path);
+  /// Opens the newest kept drawing; false where there is none.
+  bool restoreNewest();
+  /// Writes the drawing as it is; false where it cannot.
+  bool write(const std::string& path);
+  /// Does what the app asked for; once a frame.
+  void perform();
+
+ private:
+  void perform(const Job& job);
+  void save(const Job& job);
+  void restore(const std::string& slot);
+  void list(bool offering);
+
+  App& app_;
+  bool keeps_;
+  Autosaves autosaves_{Autosaves::standardFolder()};
+  std::map<uint64_t, std::string> places_;  // files of the drawings
+  bool said_not_kept_ = false;
+};
+
+}  // namespace marrow
