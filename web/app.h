@@ -13,6 +13,7 @@
 #include "panels/panel_layer.h"
 #include "render/scene.h"
 #include "scene_builder.h"
+#include "tools/hand.h"
 #include "tools/tools.h"
 #include "ui_state.h"
 #include "warm_up.h"
@@ -49,7 +50,11 @@ class App {
   Result<bool> load(const std::string& json);
 
   const Document& document() const { return history_.current(); }
+  const Evaluation& evaluation() const { return evaluation_; }
   const std::vector<EvaluatedPart>& parts() const { return evaluation_.parts(); }
+  /// The rig with the part under the hand, and the placed parts that its indices mean.
+  const Rig& rig() const { return live_rig_ ? *live_rig_ : evaluation_.rig(); }
+  const Hand& hand() const { return hand_; }
   const LivePart& livePart() const { return live_; }
   const Error& liveError() const { return live_error_; }
   const DrawTool& drawing() const { return tools_.drawing(); }
@@ -62,12 +67,21 @@ class App {
  private:
   void takeInput();
   bool handle(const PointerEvent& event);  // whether the panels had it
+  bool followKey(const PointerEvent& event);
   void handle(const KeyEvent& event);
+  bool handleCharacter(char character);
+  bool escape();
   void applyRequests();
   void apply(const Command& command);
+  void finishStroke();
+  void transformByKey(TransformKind kind);
+  void useTool(ToolKind tool);
+  void toggleVisible(bool show_all);
   void update();
   void updateLivePart();
-  void select(Vec2 pixel);
+  void click(Vec2 pixel, bool shift);
+  Hand::World world() const { return {document(), evaluation_, ground()}; }
+  Vec3 ground() const;
   void say(std::string sentence);
   void show(StandardView view);
   void frameAll();
@@ -77,6 +91,7 @@ class App {
   Clock clock_;
   UiState ui_;
   Tools tools_;
+  Hand hand_;
   PanelLayer panels_;
   History history_;
   Evaluation evaluation_;
@@ -88,7 +103,10 @@ class App {
   Error live_error_;
   size_t live_points_ = 0;      // of the stroke, when the live part was made
   double next_preview_ms_ = 0;  // earliest time for another one
-  bool said_turned_ = false;
+  std::optional<Rig> live_rig_;
+  Vec2 pointer_px_;          // where the pointer was last
+  bool shift_ = false;       // held at the last press
+  bool swallow_up_ = false;  // the press that ended a transformation by key goes up unheard
 
   std::deque<InputEvent> input_;
   Requests requests_;

@@ -15,13 +15,15 @@ Json toJson(const Timings& timings) {
   return json;
 }
 
-Json toJson(const Part& part) {
+/// A part with its joints where they are in space.
+Json toJson(const Part& part, const Frame& frame) {
   Json json;
   json["joints"] = Json::array();
   for (const PartSkeleton::Joint& joint : part.skeleton.joints) {
+    const Vec3 at = frame.toWorld(joint.position);
     json["joints"].push_back({{"kind", toString(joint.kind)},
-                              {"position", {joint.position.x, joint.position.y, 0}},
-                              {"radius", joint.radius}});
+                              {"position", {at.x, at.y, at.z}},
+                              {"radius", joint.radius * frame.scale()}});
   }
   json["bones"] = part.skeleton.bones;
   json["mesh"] = {{"vertices", part.mesh.positions.size()},
@@ -94,7 +96,7 @@ std::string partsReport(const App& app) {
     part["id"] = evaluated.source->id;
     part["name"] = evaluated.source->name;
     if (evaluated.part) {
-      part.update(toJson(*evaluated.part));
+      part.update(toJson(*evaluated.part, evaluated.source->frame));
     } else {
       part["error"] = evaluated.error.message();
     }
@@ -113,7 +115,11 @@ std::string statsReport(const App& app) {
                     {"pixelWidth", std::lround(ui.size.width * ui.dpr)},
                     {"pixelHeight", std::lround(ui.size.height * ui.dpr)}};
   json["camera"] = cameraJson(ui);
-  json["selected"] = ui.selected.empty() ? Json(nullptr) : Json(ui.selected);
+  json["selected"] = ui.selection.empty() ? Json(nullptr) : Json(ui.selection.primary());
+  json["selection"] = ui.selection.ids;
+  json["branch"] = ui.selection.branch;
+  json["tool"] = toString(ui.tool);
+  json["symmetry"] = ui.symmetry;
   json["show"] = {{"mesh", ui.show.mesh},
                   {"wireframe", ui.show.wireframe},
                   {"bones", ui.show.bones},

@@ -134,8 +134,10 @@ Requests PanelLayer::frame(const PanelInput& input, UiState& ui) {
   ImGui::NewFrame();
   forgetPlaces();
   Requests requests;
+  drawCanvasMarks(input, ui, requests);
   drawHint(input, ui, requests);
   drawToolbar(input, ui, requests);
+  drawToolPanel(input, ui, requests);
   drawViewControls(input, ui, requests);
   drawHelpPanel(input, ui, requests);
   drawPerformancePanel(input, ui, requests);

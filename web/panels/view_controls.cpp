@@ -149,7 +149,7 @@ void sheetButton(const char* id, const char* icon, bool PanelsOpen::*which, Butt
   look.on = ui.open.*which && look.enabled;
   if (!iconButton(id, icon, buttonSide(ui), look)) return;
   const bool opens = !(ui.open.*which);
-  ui.open = PanelsOpen{false, false, false, false};
+  ui.open = PanelsOpen{false, false, false, false, false};
   ui.open.*which = opens;
   requests.again = true;
 }
@@ -165,7 +165,7 @@ void drawNarrow(const PanelInput& input, UiState& ui, Requests& requests) {
   sheetButton("view", kIconEye, &PanelsOpen::view, {"What is shown"}, ui, requests);
   ImGui::SameLine();
   ButtonLook look{"The selected part"};
-  look.enabled = input.shown.find(ui.selected).has_value();
+  look.enabled = input.shown.find(sourceId(ui.selection.primary())).has_value();
   sheetButton("part", kIconSlidersHorizontal, &PanelsOpen::part, look, ui, requests);
   ImGui::SameLine();
   sheetButton("performance", kIconGauge, &PanelsOpen::performance,

@@ -57,7 +57,7 @@ std::string call(const std::string& name, const std::string& text) {
   if (name == "redo") return app.redo() ? "true" : "false";
   if (name == "wantsText") return app.wantsText() ? "true" : "false";
   if (name == "key") {
-    app.post(KeyEvent{keyNamed(text)});
+    app.post(keyNamed(text));
     return "true";
   }
   return "null";
@@ -82,9 +82,9 @@ EMSCRIPTEN_KEEPALIVE void marrow_resize(double width, double height, double dpr)
   page->app.resize({width, height}, dpr);
 }
 
-/// type, kind and button: numbers of the enums in input.h.
+/// type, kind and button: numbers of the enums in input.h. held: 1 Alt, 2 Shift.
 EMSCRIPTEN_KEEPALIVE void marrow_pointer(int type, int kind, int id, int button, double x, double y,
-                                         double pressure, double time_ms, int alt) {
+                                         double pressure, double time_ms, int held) {
   marrow::PointerEvent event;
   event.type = static_cast<marrow::PointerEvent::Type>(type);
   event.kind = static_cast<marrow::PointerKind>(kind);
@@ -93,7 +93,8 @@ EMSCRIPTEN_KEEPALIVE void marrow_pointer(int type, int kind, int id, int button,
   event.position_px = {x, y};
   event.pressure = pressure;
   event.time_ms = time_ms;
-  event.alt = alt != 0;
+  event.alt = (held & 1) != 0;
+  event.shift = (held & 2) != 0;
   page->app.post(event);
 }
 

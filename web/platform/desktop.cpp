@@ -65,7 +65,9 @@ PointerEvent pointerEvent(Desktop& desktop, PointerEvent::Type type, int button)
                                                       : Button::primary;
   event.position_px = {x * desktop.cursor_scale, y * desktop.cursor_scale};
   event.time_ms = now_ms();
-  event.alt = glfwGetKey(desktop.window, GLFW_KEY_LEFT_ALT) == GLFW_PRESS;
+  const auto isHeld = [&](int key) { return glfwGetKey(desktop.window, key) == GLFW_PRESS; };
+  event.alt = isHeld(GLFW_KEY_LEFT_ALT);
+  event.shift = isHeld(GLFW_KEY_LEFT_SHIFT) || isHeld(GLFW_KEY_RIGHT_SHIFT);
   return event;
 }
 
@@ -75,8 +77,6 @@ Key keyOf(int key, int mods) {
     return key == GLFW_KEY_Y ? Key::redo : key == GLFW_KEY_A ? Key::select_all : Key::none;
   }
   switch (key) {
-    case GLFW_KEY_X:
-      return Key::remove;
     case GLFW_KEY_DELETE:
       return Key::delete_forward;
     case GLFW_KEY_BACKSPACE:
@@ -93,17 +93,6 @@ Key keyOf(int key, int mods) {
       return Key::home;
     case GLFW_KEY_END:
       return Key::end;
-    case GLFW_KEY_F:
-      return Key::frame_all;
-    case GLFW_KEY_1:
-    case GLFW_KEY_KP_1:
-      return Key::front;
-    case GLFW_KEY_3:
-    case GLFW_KEY_KP_3:
-      return Key::right;
-    case GLFW_KEY_7:
-    case GLFW_KEY_KP_7:
-      return Key::top;
     default:
       return Key::none;
   }
@@ -145,7 +134,9 @@ void listen(GLFWwindow* window) {
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned int character) {
     desktopOf(w).app.post(TextEvent{character});
-    if (character == '?') desktopOf(w).app.post(KeyEvent{Key::help});
+    if (character > 32 && character < 127) {
+      desktopOf(w).app.post(KeyEvent{Key::none, static_cast<char>(character)});
+    }
   });
 }
 

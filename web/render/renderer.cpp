@@ -12,10 +12,6 @@ constexpr Rgba kSelectedOutline{0.93f, 0.42f, 0.10f, 1};
 constexpr Rgba kWire{0.10f, 0.12f, 0.20f, 0.42f};
 constexpr float kOutline_px = 1.6f, kSelectedOutline_px = 3.0f;
 
-Float3 toFloat(Vec3 v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 // View coordinates, model units → clip space.
 Float3 clipScale(const Camera& camera, const Scene& scene) {
   return {static_cast<float>(2 * camera.zoom / scene.size.width),
@@ -30,6 +26,7 @@ Renderer::Renderer()
     : background_("background.vert", "background.frag"),
       part_("part.vert", "part.frag"),
       wire_("part.vert", "flat.frag"),
+      sheet_("sheet.vert", "sheet.frag"),
       segment_("segment.vert", "segment.frag"),
       bone_("bone.vert", "bone.frag"),
       ball_("ball.vert", "round.frag"),
@@ -41,8 +38,8 @@ Renderer::Renderer()
       nothing_(makeVertexArray()) {}
 
 std::string Renderer::log() const {
-  return background_.log() + part_.log() + wire_.log() + segment_.log() + bone_.log() +
-         ball_.log() + cone_.log() + shadow_.log();
+  return background_.log() + part_.log() + wire_.log() + sheet_.log() + segment_.log() +
+         bone_.log() + ball_.log() + cone_.log() + shadow_.log();
 }
 
 void Renderer::draw(const Scene& scene) {
@@ -56,6 +53,7 @@ void Renderer::draw(const Scene& scene) {
   if (scene.show_shadow) shadow_.draw(scene, cache_, clipScale(scene.camera, scene));
   if (scene.show_mesh) drawBodies(scene);
   if (scene.show_wireframe) drawWireframe(scene);
+  drawSheets(scene);
   drawProxy(scene);
   drawSegments(scene.overlay, scene.camera, scene);
   drawBones(scene);
@@ -86,6 +84,7 @@ void Renderer::setView(const Program& program, const Camera& camera, const Scene
 }
 
 void Renderer::drawBodies(const Scene& scene) {
+  const auto axes = scene.camera.axes();
   glEnable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   glEnable(GL_CULL_FACE);
@@ -97,7 +96,7 @@ void Renderer::drawBodies(const Scene& scene) {
   glCullFace(GL_BACK);
   for (const Scene::Body& body : scene.bodies) {
     const GpuMesh& mesh = cache_.mesh(body.mesh_id, *body.part);
-    part_.set("u_offset", toFloat(mesh.origin - scene.camera.target));
+    setPlace(part_, body.frame, mesh.origin, axes, scene.camera.target);
     part_.set("u_color", body.color);
     glBindVertexArray(mesh.vertex_array.name());
     glDrawElements(GL_TRIANGLES, mesh.triangle_indices, GL_UNSIGNED_INT, nullptr);
@@ -108,7 +107,7 @@ void Renderer::drawBodies(const Scene& scene) {
   glCullFace(GL_FRONT);
   for (const Scene::Body& body : scene.bodies) {
     const GpuMesh& mesh = cache_.mesh(body.mesh_id, *body.part);
-    wire_.set("u_offset", toFloat(mesh.origin - scene.camera.target));
+    setPlace(wire_, body.frame, mesh.origin, axes, scene.camera.target);
     wire_.set("u_outline_px", body.selected ? kSelectedOutline_px : kOutline_px);
     wire_.set("u_color", body.selected ? kSelectedOutline : darker(body.color));
     glBindVertexArray(mesh.vertex_array.name());
@@ -118,6 +117,7 @@ void Renderer::drawBodies(const Scene& scene) {
 }
 
 void Renderer::drawWireframe(const Scene& scene) {
+  const auto axes = scene.camera.axes();
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_BLEND);
   glDisable(GL_CULL_FACE);
@@ -126,10 +126,35 @@ void Renderer::drawWireframe(const Scene& scene) {
   wire_.set("u_color", kWire);
   for (const Scene::Body& body : scene.bodies) {
     const GpuMesh& mesh = cache_.meshWithEdges(body.mesh_id, *body.part);
-    wire_.set("u_offset", toFloat(mesh.origin - scene.camera.target));
+    setPlace(wire_, body.frame, mesh.origin, axes, scene.camera.target);
     glBindVertexArray(mesh.edge_array.name());
     glDrawElements(GL_LINES, mesh.edge_indices, GL_UNSIGNED_INT, nullptr);
   }
+}
+
+void Renderer::drawSheets(const Scene& scene) {
+  if (scene.sheets.empty()) return;
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  sheet_.use();
+  sheet_.set("u_scale", clipScale(scene.camera, scene));
+  const auto [right, up, back] = scene.camera.axes();
+  const auto inView = [&, r = right, u = up, b = back](Float3 v) {
+    const Vec3 p{v.x, v.y, v.z};
+    return Float3{static_cast<float>(dot(r, p)), static_cast<float>(dot(u, p)),
+                  static_cast<float>(dot(b, p))};
+  };
+  glBindVertexArray(nothing_.name());
+  for (const Scene::Sheet& sheet : scene.sheets) {
+    sheet_.set("u_center", inView(sheet.center));
+    sheet_.set("u_x", inView(sheet.x));
+    sheet_.set("u_y", inView(sheet.y));
+    sheet_.set("u_color", sheet.color);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+  glDepthMask(GL_TRUE);
 }
 
 void Renderer::drawProxy(const Scene& scene) {

@@ -24,13 +24,14 @@ class Renderer {
   void drawBackground();
   void drawBodies(const Scene& scene);
   void drawWireframe(const Scene& scene);
+  void drawSheets(const Scene& scene);
   void drawProxy(const Scene& scene);
   void drawBones(const Scene& scene);
   void drawSegments(const std::vector<Scene::Segment>& segments, const Camera& camera,
                     const Scene& scene);
   void setView(const Program& program, const Camera& camera, const Scene& scene) const;
 
-  Program background_, part_, wire_, segment_, bone_, ball_, cone_;
+  Program background_, part_, wire_, sheet_, segment_, bone_, ball_, cone_;
   Instances segments_, octahedra_, balls_, tubes_;
   GroundShadow shadow_;
   GpuCache cache_;
