@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "document/symmetry.h"
 #include "io/document_json.h"
 #include "pick.h"
 
@@ -13,8 +14,10 @@ namespace {
 constexpr int kSettleFrames = 3;
 // The live preview may take this share of the time while a stroke is under way.
 constexpr double kPreviewShare = 0.6;
-// Below this turn nobody notices that drawing went back to the front view.
-constexpr double kNoticeable_rad = 0.15;
+// So near to a bone a click means the bone.
+constexpr double kBoneReach_px = 7, kBoneTouch_px = 16;
+// How far a copy lies from its original, on the screen.
+constexpr double kCopyAway_px = 24;
 // A stroke shorter than this on the screen was no stroke.
 constexpr double kShortestStroke_px = 20;
 constexpr const char* kTooSmall =
@@ -29,14 +32,14 @@ bool isButton(const InputEvent& event) {
 
 }  // namespace
 
-App::App(Clock clock) : clock_(clock), evaluation_({}, clock) {}
+App::App(Clock clock) : clock_(clock), evaluation_({}, clock), shelf_(clock) {}
 
 void App::resize(ViewSize size, double dpr) {
   const bool was_narrow = ui_.narrow();
   ui_.size = size;
   ui_.dpr = dpr;
   if (ui_.narrow() && (!was_narrow || scene_.bodies.empty())) {
-    ui_.open = PanelsOpen{false, false, false, false};
+    ui_.open = PanelsOpen{false, false, false, false, false};
   } else if (was_narrow && !ui_.narrow()) {
     ui_.open = PanelsOpen{};
   }
@@ -54,10 +57,16 @@ App::FrameResult App::frame(double now_ms) {
   update();
   updateLivePart();
 
-  scene_ = buildScene(evaluation_.parts(), live_, tools_.drawing(), ui_);
-  const PanelInput input{history_, shown_, evaluation_.parts(), meter_,
-                         tools_.drawing().active() && tools_.drawing().isStroke()};
+  const bool shows_plane = ui_.tool == ToolKind::line && !shown_.parts.empty();
+  scene_ = buildScene(evaluation_, rig(), live_, tools_.drawing(), hand_,
+                      shows_plane ? symmetryPlane(shown_) : std::nullopt, ui_);
+  scene_.pictures = shelf_.pictures.seen(shown_, ui_.camera);
+  const PanelInput input{
+      history_, shown_, evaluation_,
+      rig(),    live_,  hand_,
+      meter_,   shelf_, tools_.drawing().active() && tools_.drawing().isStroke()};
   requests_ = panels_.frame(input, ui_);
+  requests_.frame_all |= std::exchange(frame_all_next_, false);
 
   FrameResult result;
   const uint64_t fingerprints[] = {fingerprint(scene_), panels_.fingerprint()};
@@ -67,11 +76,13 @@ App::FrameResult App::frame(double now_ms) {
   frames_drawn_ += result.draw ? 1 : 0;
   if (frames_to_settle_ > 0) --frames_to_settle_;
   result.again = frames_to_settle_ > 0 || requests_.again || requests_.undo || requests_.redo ||
-                 requests_.frame_all || requests_.view || requests_.commit_edit ||
-                 requests_.orbit_px != Vec2{} || !requests_.commands.empty() || !input_.empty() ||
-                 ui_.glide.running() || requests_.wake_after_ms <= 0;
+                 requests_.frame_all || requests_.view || requests_.commit_edit || requests_.key ||
+                 requests_.orbit_px != Vec2{} || !requests_.commands.empty() ||
+                 !requests_.files.empty() || !input_.empty() || ui_.glide.running() ||
+                 requests_.wake_after_ms <= 0;
   result.wake_after_ms = requests_.wake_after_ms;
-  if (input.drawing && live_points_ != tools_.drawing().points().size()) {
+  updateShelf(result);
+  if (hand_.mode() == Hand::Mode::stroke && live_points_ != tools_.drawing().points().size()) {
     result.wake_after_ms = std::min(result.wake_after_ms, next_preview_ms_ - now_ms);
   }
   return result;
@@ -107,6 +118,9 @@ void App::takeInput() {
 }
 
 bool App::handle(const PointerEvent& event) {
+  pointer_px_ = event.position_px;
+  if (followKey(event)) return false;
+  if (event.type == PointerEvent::Type::down) shift_ = event.shift;
   const Surroundings around{[this](Vec2 pixel) { return panels_.panelAt(pixel); }, pivot()};
   const bool was_stroke = tools_.drawing().active() && tools_.drawing().isStroke();
   const Tools::Outcome outcome = tools_.pointer(event, ui_, around);
@@ -114,22 +128,82 @@ bool App::handle(const PointerEvent& event) {
   if (!was_stroke && tools_.drawing().active() && tools_.drawing().isStroke()) {
     meter_.preview.restart();
   }
-  if (outcome.turns_to_front && !said_turned_ && ui_.camera.angleFromFront() > kNoticeable_rad) {
-    said_turned_ = true;
-    say("Strokes are drawn in the front view, so the view turned back.");
+  switch (outcome.gesture) {
+    case Tools::Gesture::none:
+      break;
+    case Tools::Gesture::begin:
+      closeEdit();
+      hand_.begin(tools_.drawing(), shift_, ui_, world());
+      break;
+    case Tools::Gesture::move:
+      hand_.move(tools_.drawing(), ui_, world());
+      break;
+    case Tools::Gesture::end:
+      if (hand_.mode() == Hand::Mode::stroke) {
+        finishStroke();
+      } else {
+        const auto command = hand_.end(tools_.drawing(), ui_, world());
+        tools_.takePoints();
+        closeEdit();
+        if (command) apply(*command);
+      }
+      break;
+    case Tools::Gesture::click:
+      hand_.cancel(ui_);
+      click(event.position_px, event.shift || shift_);
+      break;
+    case Tools::Gesture::cancel:
+      hand_.cancel(ui_);
+      break;
   }
-  if (outcome.command && tools_.drawing().travelled_px() < kShortestStroke_px) {
-    say(kTooSmall);
-  } else if (outcome.command) {
-    apply(*outcome.command);
-  }
-  if (outcome.click_px) select(*outcome.click_px);
+  document_changed_ |= outcome.gesture != Tools::Gesture::none;
   return outcome.to_panels;
 }
 
+// While a transformation follows the pointer without a button, a click ends it: the first button
+// keeps it, any other gives it up.
+bool App::followKey(const PointerEvent& event) {
+  if (swallow_up_ && event.type == PointerEvent::Type::up) {
+    swallow_up_ = false;
+    return true;
+  }
+  if (!hand_.followsKey()) return false;
+  if (event.type == PointerEvent::Type::move) {
+    hand_.follow(event.position_px, ui_);
+  } else if (event.type == PointerEvent::Type::down) {
+    swallow_up_ = true;
+    if (event.button != Button::primary) {
+      hand_.cancel(ui_);
+      document_changed_ = true;
+    } else if (const auto command = hand_.finishByKey(ui_)) {
+      apply(*command);
+    }
+  }
+  return true;
+}
+
+void App::finishStroke() {
+  const StrokePlace place = hand_.place();
+  const bool too_small = tools_.drawing().travelled_px() < kShortestStroke_px;
+  hand_.cancel(ui_);
+  std::vector<Vec2> points = tools_.takePoints();
+  if (too_small) {
+    say(kTooSmall);
+    return;
+  }
+  StrokePlace::Place found = place.at(points);
+  if (found.completed) points = std::move(found.stroke);
+  apply(AddPart{std::move(points), found.frame, found.mirror});
+}
+
 void App::handle(const KeyEvent& event) {
+  if (handleFileKey(event.key)) return;
   if (panels_.wantsText() && event.key != Key::undo && event.key != Key::redo) {
     panels_.key(event);
+    return;
+  }
+  if (event.character != 0) {
+    handleCharacter(event.character);
     return;
   }
   switch (event.key) {
@@ -139,41 +213,142 @@ void App::handle(const KeyEvent& event) {
     case Key::redo:
       redo();
       break;
-    case Key::remove:
     case Key::delete_forward:
-      if (!tools_.drawing().active() && document().find(ui_.selected)) {
-        apply(DeletePart{ui_.selected});
+    case Key::backspace:
+      if (hand_.key('\b', ui_)) break;
+      if (!tools_.drawing().active() && !ui_.selection.empty()) {
+        apply(DeleteParts{ui_.selection.ids});
       }
+      break;
+    case Key::enter:
+      if (!hand_.followsKey()) break;
+      if (const auto command = hand_.finishByKey(ui_)) apply(*command);
       break;
     case Key::escape:
-      if (tools_.cancelStroke()) break;
-      if (ui_.edit) {
-        closeEdit();
-      } else if (ui_.open.help || ui_.open.view || ui_.open.performance) {
-        ui_.open = PanelsOpen{ui_.open.part, false, false, false};
-      } else {
-        ui_.selected.clear();
+      escape();
+      break;
+    case Key::select_all:
+      ui_.selection.clear();
+      for (const PlacedPart& placed : evaluation_.placed()) {
+        const PartSource& source = *evaluation_.parts()[placed.source].source;
+        if (source.visible && !source.locked) ui_.selection.ids.push_back(placed.id);
       }
       break;
-    case Key::front:
-      show(StandardView::front);
-      break;
-    case Key::right:
-      show(StandardView::right);
-      break;
-    case Key::top:
-      show(StandardView::top);
-      break;
     case Key::home:
-    case Key::frame_all:
       frameAll();
-      break;
-    case Key::help:
-      ui_.open.help = !ui_.open.help;
       break;
     default:
       break;
   }
+}
+
+bool App::escape() {
+  if (tools_.cancelGesture() || hand_.mode() != Hand::Mode::idle) {
+    hand_.cancel(ui_);
+    document_changed_ = true;
+  } else if (ui_.edit) {
+    closeEdit();
+  } else if (ui_.open.anySheet()) {
+    ui_.open = PanelsOpen{ui_.open.part, ui_.open.parts, false, false, false};
+  } else if (!ui_.selection.empty()) {
+    ui_.selection.clear();
+  } else {
+    ui_.tool = ToolKind::draw;
+  }
+  return true;
+}
+
+bool App::handleCharacter(char character) {
+  if (hand_.key(character, ui_)) return true;
+  if (tools_.drawing().active()) return false;
+  switch (character) {
+    case 'g':
+    case 'G':
+      transformByKey(TransformKind::move);
+      break;
+    case 'r':
+    case 'R':
+      transformByKey(TransformKind::rotate);
+      break;
+    case 's':
+    case 'S':
+      transformByKey(TransformKind::scale);
+      break;
+    case 'x':
+    case 'X':
+      if (!ui_.selection.empty()) apply(DeleteParts{ui_.selection.ids});
+      break;
+    case 'D':
+      if (!ui_.selection.empty()) {
+        const auto [right, up, back] = ui_.camera.axes();
+        apply(DuplicateParts{ui_.selection.ids, (right - up) * (kCopyAway_px / ui_.camera.zoom)});
+      }
+      break;
+    case 'h':
+      toggleVisible(false);
+      break;
+    case 'H':
+      toggleVisible(true);
+      break;
+    case 'm':
+      ui_.symmetry = !ui_.symmetry;
+      break;
+    case 'b':
+      useTool(ToolKind::draw);
+      break;
+    case 'v':
+      useTool(ToolKind::select);
+      break;
+    case 'c':
+      useTool(ToolKind::contour);
+      break;
+    case 'l':
+      useTool(ToolKind::line);
+      break;
+    case '1':
+      show(StandardView::front);
+      break;
+    case '3':
+      show(StandardView::right);
+      break;
+    case '7':
+      show(StandardView::top);
+      break;
+    case 'f':
+    case 'F':
+      frameAll();
+      break;
+    case '?':
+      ui_.open.help = !ui_.open.help;
+      break;
+    default:
+      return false;
+  }
+  return true;
+}
+
+void App::transformByKey(TransformKind kind) {
+  closeEdit();
+  if (!hand_.beginByKey(kind, pointer_px_, ui_, world())) {
+    say("Select a part first: click it.");
+  }
+}
+
+void App::useTool(ToolKind tool) {
+  hand_.cancel(ui_);
+  ui_.tool = tool;
+  if (tool == ToolKind::contour && ui_.selection.empty()) {
+    say("Click the part whose outline you want to change.");
+  }
+}
+
+void App::toggleVisible(bool show_all) {
+  std::vector<std::string> ids;
+  for (const EvaluatedPart& part : evaluation_.parts()) {
+    if (show_all && !part.source->visible) ids.push_back(part.source->id);
+  }
+  if (!show_all) ids = ui_.selection.ids;
+  if (!ids.empty()) apply(SetVisible{ids, show_all});
 }
 
 void App::applyRequests() {
@@ -184,6 +359,8 @@ void App::applyRequests() {
     apply(command);
   }
   for (const Command& command : requests.commands) apply(command);
+  for (const FileAction& action : requests.files) act(action);
+  if (requests.key) handleCharacter(requests.key);
   if (requests.undo) undo();
   if (requests.redo) redo();
   if (requests.view) show(*requests.view);
@@ -214,7 +391,7 @@ void App::apply(const Command& command) {
       document_changed_ = true;
       return;
     }
-    ui_.selected = added.source->id;
+    ui_.selection.set(added.source->id);
     meter_.last_part = added.part->timings;
     meter_.last_evaluation_ms = added.part->timings.total_ms;
   }
@@ -225,6 +402,7 @@ void App::apply(const Command& command) {
 
 bool App::undo() {
   if (!history_.canUndo() || tools_.drawing().active()) return false;
+  hand_.cancel(ui_);
   closeEdit();
   history_.undo();
   document_changed_ = true;
@@ -234,6 +412,7 @@ bool App::undo() {
 
 bool App::redo() {
   if (!history_.canRedo() || tools_.drawing().active()) return false;
+  hand_.cancel(ui_);
   closeEdit();
   history_.redo();
   document_changed_ = true;
@@ -244,11 +423,7 @@ bool App::redo() {
 Result<bool> App::load(const std::string& json) {
   auto document = readDocument(json);
   if (!document) return document.error();
-  closeEdit();
-  tools_.cancelStroke();
-  apply(ReplaceDocument{std::move(*document), "Open"});
-  ui_.selected.clear();
-  update();
+  replace(std::move(*document), {}, "Open");
   return true;
 }
 
@@ -278,42 +453,77 @@ void App::update() {
 
 void App::updateLivePart() {
   const DrawTool& drawing = tools_.drawing();
-  if (!drawing.active() || !drawing.isStroke()) {
-    live_.part.reset();
+  if (hand_.mode() != Hand::Mode::stroke || !drawing.active() || !drawing.isStroke()) {
+    live_ = {};
+    live_rig_.reset();
     live_error_ = {};
     live_points_ = 0;
     next_preview_ms_ = 0;
     return;
   }
-  if (drawing.points().size() == live_points_ || ui_.glide.running() ||
-      ui_.now_ms < next_preview_ms_) {
-    return;
-  }
+  if (drawing.points().size() == live_points_ || ui_.now_ms < next_preview_ms_) return;
   live_points_ = drawing.points().size();
   const double start_ms = clock_();
-  auto part = buildPart(drawing.previewPoints(), previewOptions(), clock_);
+  std::vector<Vec2> points = drawing.previewPoints();
+  StrokePlace::Place place = hand_.place().at(points);
+  if (place.completed) points = std::move(place.stroke);
+  auto part = buildPart(points, previewOptions(), clock_);
+  live_ = {};
+  live_rig_.reset();
+  live_error_ = part ? Error{} : part.error();
+  live_.source.frame = place.frame;
+  live_.source.mirror = place.mirror;
+  live_.placed.push_back({"live", evaluation_.parts().size(), false, place.frame});
+  if (place.mirror) {
+    live_.placed.push_back({std::string("live") + kTwinSuffix, evaluation_.parts().size(), true,
+                            mirrored(place.frame, *place.mirror)});
+  }
+  if (part) {
+    live_.part = std::make_shared<const Part>(std::move(*part));
+    live_.source.id = "live";
+    live_.source.name = "new part";
+    live_.source.color = partColor(static_cast<size_t>(document().last_part));
+    // Ids of the evaluation count up from 1: these never meet them.
+    live_.mesh_id = ~(meter_.previews + 1);
+    std::vector<RigPart> parts = evaluation_.rigParts();
+    for (const PlacedPart& placed : live_.placed) {
+      parts.push_back({&placed, &live_.source, live_.part.get()});
+    }
+    live_rig_ = makeRig(parts, document().refine);
+  }
   const double took_ms = clock_() - start_ms;
   meter_.preview.add(took_ms);
   ++meter_.previews;
   if (meter_.first_preview_ms < 0) meter_.first_preview_ms = took_ms;
   next_preview_ms_ = took_ms > 8 ? ui_.now_ms + took_ms / kPreviewShare : 0;
-  if (!part) {
-    live_.part.reset();
-    live_error_ = part.error();
-    return;
-  }
-  live_error_ = {};
-  live_.part = std::make_shared<const Part>(std::move(*part));
-  live_.color = partColor(static_cast<size_t>(document().last_part));
-  // Ids of the evaluation count up from 1: these never meet them.
-  live_.mesh_id = ~meter_.previews;
 }
 
-void App::select(Vec2 pixel) {
-  const bool had_selection = document().find(ui_.selected).has_value();
-  ui_.selected = partAt(pixel, evaluation_.parts(), ui_.camera, ui_.size);
+void App::click(Vec2 pixel, bool shift) {
+  const bool had_selection = !ui_.selection.empty();
+  std::string id, branch;
+  if (ui_.show.bones) {
+    const double reach = ui_.touch() ? kBoneTouch_px : kBoneReach_px;
+    if (const auto joint = boneAt(pixel, evaluation_, ui_.camera, ui_.size, reach)) {
+      id = evaluation_.placed()[evaluation_.rig().joints[*joint].part].id;
+      branch = std::to_string(evaluation_.rig().joints[*joint].branch);
+    }
+  }
+  if (id.empty()) {
+    if (const auto hit = surfaceAt(pixel, evaluation_, ui_.camera, ui_.size)) {
+      const PlacedPart& placed = evaluation_.placed()[hit->placed];
+      if (!evaluation_.parts()[placed.source].source->locked) id = placed.id;
+    }
+  }
+  if (shift && !id.empty()) {
+    ui_.selection.toggle(id);
+  } else if (!shift) {
+    ui_.selection.set(id);
+    ui_.selection.branch = branch;
+  }
   // Somebody who only clicks has not found out yet that one draws by dragging.
-  if (ui_.selected.empty() && !had_selection) say("Hold and drag to draw a closed shape.");
+  if (id.empty() && !had_selection && ui_.tool == ToolKind::draw) {
+    say("Hold and drag to draw a closed shape.");
+  }
   if (!ui_.narrow()) ui_.open.part = true;
 }
 
@@ -338,6 +548,12 @@ void App::frameAll() {
     to = framing(ui_.camera, model(scene_.low), model(scene_.high), ui_.size, margin_px);
   }
   ui_.glide.start(ui_.camera, to, pivot(), ui_.now_ms);
+}
+
+Vec3 App::ground() const {
+  if (scene_.bodies.empty()) return {};
+  const Vec3 middle = pivot();
+  return {middle.x, scene_.camera.target.y + scene_.low.y, middle.z};
 }
 
 Vec3 App::pivot() const {

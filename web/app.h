@@ -9,10 +9,12 @@
 #include "document/evaluation.h"
 #include "document/history.h"
 #include "input.h"
+#include "keep/shelf.h"
 #include "meter.h"
 #include "panels/panel_layer.h"
 #include "render/scene.h"
 #include "scene_builder.h"
+#include "tools/hand.h"
 #include "tools/tools.h"
 #include "ui_state.h"
 #include "warm_up.h"
@@ -48,8 +50,28 @@ class App {
   /// Opens a document from its JSON. Errors leave everything as it is.
   Result<bool> load(const std::string& json);
 
+  // What the platform does with files, and what it tells about them (app_files.cpp).
+  std::vector<Job> takeJobs() { return shelf_.keeping.takeJobs(); }
+  /// The same, for a text of a file or of what is kept; the drawing's number. Errors are said.
+  /// file: what to call it where it cannot be opened.
+  Result<uint64_t> open(const std::string& text, const std::string& file, const Origin& origin);
+  /// Puts a picture behind the view the camera is nearest to. image: a data URL.
+  void addPicture(const std::string& image, int width, int height);
+  /// The text of a kept drawing.
+  void peeked(const std::string& slot, const std::string& text);
+  /// Keeps what is not kept yet, without waiting.
+  void keepNow();
+  /// One calm sentence on the canvas.
+  void say(std::string sentence);
+  Shelf& shelf() { return shelf_; }
+  const Shelf& shelf() const { return shelf_; }
+
   const Document& document() const { return history_.current(); }
+  const Evaluation& evaluation() const { return evaluation_; }
   const std::vector<EvaluatedPart>& parts() const { return evaluation_.parts(); }
+  /// The rig with the part under the hand, and the placed parts that its indices mean.
+  const Rig& rig() const { return live_rig_ ? *live_rig_ : evaluation_.rig(); }
+  const Hand& hand() const { return hand_; }
   const LivePart& livePart() const { return live_; }
   const Error& liveError() const { return live_error_; }
   const DrawTool& drawing() const { return tools_.drawing(); }
@@ -62,13 +84,25 @@ class App {
  private:
   void takeInput();
   bool handle(const PointerEvent& event);  // whether the panels had it
+  bool followKey(const PointerEvent& event);
   void handle(const KeyEvent& event);
+  bool handleCharacter(char character);
+  bool escape();
   void applyRequests();
   void apply(const Command& command);
+  void finishStroke();
+  void transformByKey(TransformKind kind);
+  void useTool(ToolKind tool);
+  void toggleVisible(bool show_all);
   void update();
   void updateLivePart();
-  void select(Vec2 pixel);
-  void say(std::string sentence);
+  void click(Vec2 pixel, bool shift);
+  Hand::World world() const { return {document(), evaluation_, ground()}; }
+  Vec3 ground() const;
+  void replace(Document document, const Origin& origin, const std::string& step);
+  void act(const FileAction& action);
+  bool handleFileKey(Key key);
+  void updateShelf(FrameResult& result);
   void show(StandardView view);
   void frameAll();
   Vec3 pivot() const;
@@ -77,6 +111,7 @@ class App {
   Clock clock_;
   UiState ui_;
   Tools tools_;
+  Hand hand_;
   PanelLayer panels_;
   History history_;
   Evaluation evaluation_;
@@ -84,11 +119,16 @@ class App {
   Scene scene_;
   Meter meter_;
   WarmUp warm_up_;
+  Shelf shelf_;
+  bool frame_all_next_ = false;  // once the scene shows what was opened
   LivePart live_;
   Error live_error_;
   size_t live_points_ = 0;      // of the stroke, when the live part was made
   double next_preview_ms_ = 0;  // earliest time for another one
-  bool said_turned_ = false;
+  std::optional<Rig> live_rig_;
+  Vec2 pointer_px_;          // where the pointer was last
+  bool shift_ = false;       // held at the last press
+  bool swallow_up_ = false;  // the press that ended a transformation by key goes up unheard
 
   std::deque<InputEvent> input_;
   Requests requests_;

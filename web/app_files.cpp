@@ -25,7 +25,8 @@ std::string cannotOpen(const std::string& what, const Error& error) {
 
 void App::replace(Document document, const Origin& origin, const std::string& step) {
   closeEdit();
-  cancelGesture();
+  tools_.cancelGesture();
+  hand_.cancel(ui_);
   document.drawing = shelf_.keeping.add(document, origin);
   apply(ReplaceDocument{std::move(document), step});
   ui_.selection.clear();
@@ -34,8 +35,7 @@ void App::replace(Document document, const Origin& origin, const std::string& st
   shelf_.keeping.update(this->document(), ui_.now_ms, false);
 }
 
-Result<uint64_t> App::open(const std::string& text, const std::string& file,
-                           const Origin& origin) {
+Result<uint64_t> App::open(const std::string& text, const std::string& file, const Origin& origin) {
   auto opened = readDocument(text);
   if (!opened) {
     say(cannotOpen(file, opened.error()));
@@ -64,6 +64,18 @@ void App::addPicture(const std::string& image, int width, int height) {
   show(static_cast<StandardView>(reference.view));
   ui_.openOnly(&PanelsOpen::picture);
   redraw();
+}
+
+void App::peeked(const std::string& slot, const std::string& text) {
+  for (const Recent& recent : shelf_.keeping.recent()) {
+    if (recent.slot == slot) shelf_.thumbnails.want(recent.key(), text);
+  }
+  frames_to_settle_ = std::max(frames_to_settle_, 1);
+}
+
+void App::keepNow() {
+  shelf_.keeping.update(document(), ui_.now_ms, false);
+  shelf_.keeping.keepNow();
 }
 
 void App::act(const FileAction& action) {

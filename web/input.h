@@ -22,7 +22,7 @@ struct PointerEvent {
   Vec2 position_px;
   double pressure = 0.5;  // 0 … 1
   double time_ms = 0;
-  bool alt = false;  // held
+  bool alt = false, shift = false;  // held
 };
 
 struct WheelEvent {
@@ -33,28 +33,26 @@ struct WheelEvent {
 
 enum class Key : uint8_t {
   none,
-  undo,    // Ctrl Z
-  redo,    // Shift Ctrl Z, Ctrl Y
-  remove,  // X, Delete
+  undo,        // Ctrl Z
+  redo,        // Shift Ctrl Z, Ctrl Y
+  select_all,  // Ctrl A
+  open,        // Ctrl O
+  save,        // Ctrl S
+  save_as,     // Shift Ctrl S
   escape,
-  front,      // 1
-  right,      // 3
-  top,        // 7
-  frame_all,  // Home, F
-  help,       // ?
-  // Only for a text field:
   backspace,
   enter,
   left_arrow,
   right_arrow,
   home,
   end,
-  select_all,
   delete_forward,
 };
 
+/// A key with a name, or one that writes a character of ASCII.
 struct KeyEvent {
   Key key = Key::none;
+  char character = 0;
 };
 
 struct TextEvent {

@@ -15,13 +15,15 @@ Json toJson(const Timings& timings) {
   return json;
 }
 
-Json toJson(const Part& part) {
+/// A part with its joints where they are in space.
+Json toJson(const Part& part, const Frame& frame) {
   Json json;
   json["joints"] = Json::array();
   for (const PartSkeleton::Joint& joint : part.skeleton.joints) {
+    const Vec3 at = frame.toWorld(joint.position);
     json["joints"].push_back({{"kind", toString(joint.kind)},
-                              {"position", {joint.position.x, joint.position.y, 0}},
-                              {"radius", joint.radius}});
+                              {"position", {at.x, at.y, at.z}},
+                              {"radius", joint.radius * frame.scale()}});
   }
   json["bones"] = part.skeleton.bones;
   json["mesh"] = {{"vertices", part.mesh.positions.size()},
@@ -85,6 +87,29 @@ Json previewJson(const App& app) {
   return json;
 }
 
+Json drawingJson(const App& app) {
+  const Keeping& keeping = app.shelf().keeping;
+  Json json;
+  json["name"] = keeping.name();
+  json["title"] = keeping.title();
+  json["changed"] = keeping.changed();
+  json["offered"] = keeping.offer() ? Json(keeping.offer()->slot) : Json(nullptr);
+  json["recent"] = Json::array();
+  for (const Recent& recent : keeping.recent()) {
+    json["recent"].push_back(
+        {{"slot", recent.slot}, {"name", recent.name}, {"parts", recent.parts}});
+  }
+  json["pictures"] = Json::array();
+  for (const auto& [texture, picture] : app.shelf().pictures.all()) {
+    json["pictures"].push_back(picture.broken ? "broken" : picture.pixels ? "ready" : "waiting");
+  }
+  json["thumbnails"] = Json::array();
+  for (const Thumbnail& thumbnail : app.shelf().thumbnails.all()) {
+    json["thumbnails"].push_back({{"key", thumbnail.key}, {"ready", thumbnail.ready}});
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string partsReport(const App& app) {
@@ -94,7 +119,7 @@ std::string partsReport(const App& app) {
     part["id"] = evaluated.source->id;
     part["name"] = evaluated.source->name;
     if (evaluated.part) {
-      part.update(toJson(*evaluated.part));
+      part.update(toJson(*evaluated.part, evaluated.source->frame));
     } else {
       part["error"] = evaluated.error.message();
     }
@@ -113,7 +138,11 @@ std::string statsReport(const App& app) {
                     {"pixelWidth", std::lround(ui.size.width * ui.dpr)},
                     {"pixelHeight", std::lround(ui.size.height * ui.dpr)}};
   json["camera"] = cameraJson(ui);
-  json["selected"] = ui.selected.empty() ? Json(nullptr) : Json(ui.selected);
+  json["selected"] = ui.selection.empty() ? Json(nullptr) : Json(ui.selection.primary());
+  json["selection"] = ui.selection.ids;
+  json["branch"] = ui.selection.branch;
+  json["tool"] = toString(ui.tool);
+  json["symmetry"] = ui.symmetry;
   json["show"] = {{"mesh", ui.show.mesh},
                   {"wireframe", ui.show.wireframe},
                   {"bones", ui.show.bones},
@@ -126,6 +155,7 @@ std::string statsReport(const App& app) {
                   {"runs", app.warmUp().runs()},
                   {"ms", app.warmUp().spent_ms()},
                   {"longestStepMs", app.warmUp().longest_step_ms()}};
+  json["drawing"] = drawingJson(app);
   json["widgets"] = widgetsJson();
   json["message"] = ui.toast ? Json(ui.toast->text) : Json(nullptr);
   return toText(json);

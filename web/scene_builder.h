@@ -7,19 +7,23 @@
 
 #include "document/evaluation.h"
 #include "render/scene.h"
-#include "tools/draw_tool.h"
+#include "tools/hand.h"
 #include "ui_state.h"
 
 namespace marrow {
 
-/// The part of the stroke under the hand.
+/// The part of the stroke under the hand, and its twin.
 struct LivePart {
   std::shared_ptr<const Part> part;  // null: nothing yet, or not now
   uint64_t mesh_id = 0;
-  Color color;
+  PartSource source;               // as it would be in the document
+  std::vector<PlacedPart> placed;  // itself and its twin, if it gets one
 };
 
-Scene buildScene(const std::vector<EvaluatedPart>& parts, const LivePart& live,
-                 const DrawTool& drawing, const UiState& ui);
+/// rig: of the evaluation's placed parts and, after them, the live ones. symmetry: the plane to
+/// show, if any.
+Scene buildScene(const Evaluation& evaluation, const Rig& rig, const LivePart& live,
+                 const DrawTool& gesture, const Hand& hand, const std::optional<Plane>& symmetry,
+                 const UiState& ui);
 
 }  // namespace marrow

@@ -1,8 +1,11 @@
 // What the app shows and how: never part of the document, never undone.
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "camera.h"
 #include "document/command.h"
@@ -26,10 +29,51 @@ struct Toast {
 
 /// One open sheet at a time where the canvas is narrow.
 struct PanelsOpen {
-  bool part = true;  // shown while a part is selected
+  bool part = true;    // shown while a part is selected
+  bool parts = false;  // the list of all parts
   bool view = false;
   bool performance = false;
   bool help = false;
+  bool file = false;
+  bool gallery = false;
+  bool picture = false;  // to draw after
+
+  /// Those that Esc closes.
+  bool anySheet() const { return view || performance || help || file || gallery || picture; }
+};
+
+/// What the primary button, one finger or the pen does on the canvas.
+enum class ToolKind : uint8_t {
+  draw,
+  select,   // and move, turn, scale
+  contour,  // of the selected part
+  line,     // of symmetry
+};
+
+const char* toString(ToolKind tool);
+
+/// What the user has chosen. Ids that are gone mean nothing.
+struct Selection {
+  std::vector<std::string> ids;  // of placed parts; the last one chosen is the last
+  std::string branch;            // key of a branch of the only part; may be empty
+
+  bool empty() const { return ids.empty(); }
+  /// The id of the placed part chosen last; empty where there is none.
+  std::string primary() const { return ids.empty() ? std::string() : ids.back(); }
+  bool has(const std::string& id) const {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+  }
+  void set(std::string id) { *this = id.empty() ? Selection{} : Selection{{std::move(id)}, {}}; }
+  void toggle(const std::string& id) {
+    const auto found = std::find(ids.begin(), ids.end(), id);
+    branch.clear();
+    if (found != ids.end()) {
+      ids.erase(found);
+    } else {
+      ids.push_back(id);
+    }
+  }
+  void clear() { *this = {}; }
 };
 
 /// A setting under the user's hand: shown, but not in the document until the hand lets go.
@@ -47,14 +91,27 @@ struct UiState {
 
   ViewSwitches show;
   PanelsOpen open;
-  std::string selected;  // id of a part; one that is gone means nothing is selected
+  ToolKind tool = ToolKind::draw;
+  bool symmetry = true;           // strokes off the plane of symmetry get a twin
+  bool through_selected = false;  // new strokes lie as deep as the selected parts
+  Selection selection;
   std::optional<PendingEdit> edit;
   std::optional<Toast> toast;
-  double hint_since_ms = -1;  // when the invitation appeared; −1: not yet
+  double hint_since_ms = -1;      // when the invitation appeared; −1: not yet
+  bool file_listed = false;       // kept drawings were asked for since the file panel is open
+  std::set<std::string> peeked;   // keys of kept drawings whose thumbnails were asked for
+  std::string file_path;          // typed where the platform has no dialogs
+  bool file_path_edited = false;  // else it follows the drawing's name
   PointerKind last_pointer = PointerKind::mouse;
 
   /// Phones: panels become bars and sheets.
   bool narrow() const { return size.width < 700; }
+  /// Opens one sheet and closes the others, but for the selected part's.
+  void openOnly(bool PanelsOpen::*sheet) {
+    const bool part = open.part && !narrow();
+    open = PanelsOpen{part, false, false, false, false};
+    open.*sheet = true;
+  }
   /// Fingers need larger targets than a mouse.
   bool touch() const { return narrow() || last_pointer == PointerKind::touch; }
 };

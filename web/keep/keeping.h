@@ -42,7 +42,7 @@ const char* toString(Job::Kind kind);
 /// A drawing that was kept by itself and that nobody has open.
 struct Recent {
   std::string slot;
-  std::string name;  // may be empty
+  std::string name;    // may be empty
   double changed = 0;  // when it was changed last, as the platform counts
   double age_s = 0;    // since then, when it was listed
   size_t parts = 0;
@@ -74,8 +74,8 @@ std::string nameOfFile(const std::string& path);
 
 class Keeping {
  public:
-  static constexpr double kKeepAfter_ms = 1000;   // of a change
-  static constexpr double kLatest_ms = 5000;      // of a change, however busy the hand is
+  static constexpr double kKeepAfter_ms = 1000;  // of a change
+  static constexpr double kLatest_ms = 5000;     // of a change, however busy the hand is
   static constexpr const char* kNoName = "Untitled";
 
   /// Looks at the current document, once a frame. busy: a stroke or a slider is under the hand.

@@ -25,9 +25,9 @@ std::vector<const Picture*> Pictures::update(const Document& document) {
     fresh.push_back(&added->second);
   }
   for (auto it = pictures_.begin(); it != pictures_.end() && pictures_.size() > kMost;) {
-    const bool used = std::any_of(
-        document.references.begin(), document.references.end(),
-        [&](const auto& reference) { return reference->image == it->second.image; });
+    const bool used =
+        std::any_of(document.references.begin(), document.references.end(),
+                    [&](const auto& reference) { return reference->image == it->second.image; });
     it = used ? std::next(it) : pictures_.erase(it);
   }
   return fresh;
@@ -49,6 +49,26 @@ const Picture* Pictures::find(const Reference& reference) const {
     if (picture.image == reference.image) return &picture;
   }
   return nullptr;
+}
+
+std::vector<Scene::Picture> Pictures::seen(const Document& document, const Camera& camera) const {
+  const auto toFloat = [](Vec3 v) {
+    return Float3{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+  };
+  std::vector<Scene::Picture> seen;
+  for (const auto& reference : document.references) {
+    const Picture* picture = find(*reference);
+    const double share = presence(reference->view, camera) * reference->opacity;
+    if (!picture || !picture->pixels || share <= 0) continue;
+    const auto [right, up, back] = axesOf(reference->view);
+    const Vec3 center = right * reference->position.x + up * reference->position.y;
+    const double half = reference->scale / 2;
+    seen.push_back({toFloat(center - camera.target),
+                    toFloat(right * (half * picture->pixels->natural_width)),
+                    toFloat(up * (half * picture->pixels->natural_height)), picture->texture,
+                    static_cast<float>(share)});
+  }
+  return seen;
 }
 
 Reference::View nearestView(const Camera& camera) {

@@ -37,6 +37,8 @@ class Pictures {
   void decoded(TextureId texture, Pixels pixels);
   void broken(TextureId texture);
   const Picture* find(const Reference& reference) const;
+  /// The document's pictures as the camera sees them.
+  std::vector<Scene::Picture> seen(const Document& document, const Camera& camera) const;
   const std::map<TextureId, Picture>& all() const { return pictures_; }
 
  private:
@@ -49,7 +51,8 @@ Reference::View nearestView(const Camera& camera);
 const char* toString(Reference::View view);
 /// Right, up and towards the viewer, in that view.
 std::array<Vec3, 3> axesOf(Reference::View view);
-/// How much of a picture in this view is seen by the camera: 1 in the view itself, 0 from elsewhere.
+/// How much of a picture in this view is seen by the camera: 1 in the view itself, 0 from
+/// elsewhere.
 double presence(Reference::View view, const Camera& camera);
 const Reference* referenceIn(const Document& document, Reference::View view);
 /// Placed in the middle of what the camera sees, as large as that allows.

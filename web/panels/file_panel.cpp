@@ -1,5 +1,5 @@
-// The drawing as a whole: its name, its file, samples and kept drawings; and the offer to go on with
-// one of those.
+// The drawing as a whole: its name, its file, samples and kept drawings; and the offer to go on
+// with one of those.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -60,13 +60,11 @@ void drawName(const Keeping& keeping, UiState& ui, Requests& requests) {
 // Where the platform has no dialogs of its own: the path is typed.
 void drawPath(const Keeping& keeping, UiState& ui, Requests& requests) {
   if (!ui.file_path_edited) {
-    ui.file_path =
-        keeping.place().empty() ? fileName(keeping.name()) + ".json" : keeping.place();
+    ui.file_path = keeping.place().empty() ? fileName(keeping.name()) + ".json" : keeping.place();
   }
   const float height = rowHeight(ui), width = ImGui::GetContentRegionAvail().x;
   heading("File");
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                      ImVec2(10, (height - ImGui::GetFontSize()) / 2));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(10, (height - ImGui::GetFontSize()) / 2));
   const std::string before = ui.file_path;
   textField("path", ui.file_path, "Folder and name", width);
   ImGui::PopStyleVar();

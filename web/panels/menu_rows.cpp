@@ -38,7 +38,7 @@ PanelBox menuBox(const UiState& ui, float width) {
     if (!lowCanvas(ui)) box.max_height = canvasHeight(ui) * 0.7f;
     return box;
   }
-  box.position = {margin(ui), 2 * margin(ui) + barHeight(ui)};
+  box.position = {2 * margin(ui) + barHeight(ui), 2 * margin(ui) + barHeight(ui)};
   box.anchor = {0, 0};
   box.width = width;
   box.max_height = canvasHeight(ui) - 4 * margin(ui) - 2 * barHeight(ui);
@@ -72,8 +72,8 @@ void thumbnailAt(const Thumbnail* thumbnail, ImVec2 low, ImVec2 high, float roun
   const auto cut_y = static_cast<float>(std::max(0.0, (1 - own / shape) / 2));
   const auto texture = reinterpret_cast<ImTextureID>(static_cast<uintptr_t>(thumbnail->texture));
   // A texture's rows begin at the bottom.
-  list().AddImageRounded(texture, low, high, {cut_x, 1 - cut_y}, {1 - cut_x, cut_y},
-                         IM_COL32_WHITE, rounding);
+  list().AddImageRounded(texture, low, high, {cut_x, 1 - cut_y}, {1 - cut_x, cut_y}, IM_COL32_WHITE,
+                         rounding);
 }
 
 bool thumbnailCard(const char* id, const Thumbnail* thumbnail, const char* name, float width) {
@@ -108,9 +108,8 @@ bool accentButton(const char* id, const char* text, float width, float height) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   list().AddRectFilled(low, high, Theme::kAccent, 9);
   if (ImGui::IsItemActive()) list().AddRectFilled(low, high, Theme::kPress, 9);
-  textAt(fonts().regular, text,
-         (low.x + high.x - widthOf(fonts().regular, text)) / 2, (low.y + high.y) / 2,
-         IM_COL32_WHITE);
+  textAt(fonts().regular, text, (low.x + high.x - widthOf(fonts().regular, text)) / 2,
+         (low.y + high.y) / 2, IM_COL32_WHITE);
   return clicked;
 }
 

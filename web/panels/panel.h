@@ -10,14 +10,18 @@
 #include "document/history.h"
 #include "keep/shelf.h"
 #include "meter.h"
+#include "scene_builder.h"
 #include "ui_state.h"
 
 namespace marrow {
 
 struct PanelInput {
   const History& history;
-  const Document& shown;                    // the current document with the edit under the hand
-  const std::vector<EvaluatedPart>& parts;  // of `shown`
+  const Document& shown;         // the current document with the edit under the hand
+  const Evaluation& evaluation;  // of `shown`
+  const Rig& rig;                // of the evaluation's placed parts and, after them, the live ones
+  const LivePart& live;
+  const Hand& hand;
   const Meter& meter;
   const Shelf& shelf;
   bool drawing = false;  // a stroke is under way
@@ -28,6 +32,7 @@ struct Requests {
   std::vector<FileAction> files;
   bool commit_edit = false;  // UiState::edit becomes a command
   bool undo = false, redo = false;
+  char key = 0;  // as if this key had been pressed
   bool frame_all = false;
   std::optional<StandardView> view;
   Vec2 orbit_px;
@@ -37,6 +42,9 @@ struct Requests {
 
 void drawToolbar(const PanelInput& input, UiState& ui, Requests& requests);
 void drawViewControls(const PanelInput& input, UiState& ui, Requests& requests);
+/// On the canvas, below all panels: handles, the box, where a part will hang.
+void drawCanvasMarks(const PanelInput& input, UiState& ui, Requests& requests);
+void drawToolPanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawPartPanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawPerformancePanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawHelpPanel(const PanelInput& input, UiState& ui, Requests& requests);

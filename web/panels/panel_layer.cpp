@@ -134,12 +134,18 @@ Requests PanelLayer::frame(const PanelInput& input, UiState& ui) {
   ImGui::NewFrame();
   forgetPlaces();
   Requests requests;
+  drawCanvasMarks(input, ui, requests);
   drawHint(input, ui, requests);
   drawToolbar(input, ui, requests);
+  drawToolPanel(input, ui, requests);
   drawViewControls(input, ui, requests);
   drawHelpPanel(input, ui, requests);
   drawPerformancePanel(input, ui, requests);
   drawPartPanel(input, ui, requests);
+  drawFilePanel(input, ui, requests);
+  drawGalleryPanel(input, ui, requests);
+  drawReferencePanel(input, ui, requests);
+  drawOffer(input, ui, requests);
   drawToast(input, ui, requests);
   ImGui::Render();
 
@@ -172,6 +178,7 @@ uint64_t PanelLayer::fingerprint() const {
     for (const ImDrawCmd& command : list.CmdBuffer) {
       mix(&command.ClipRect, sizeof command.ClipRect);
       mix(&command.ElemCount, sizeof command.ElemCount);
+      mix(&command.TextureId, sizeof command.TextureId);
     }
   }
   return hash;

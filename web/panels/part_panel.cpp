@@ -65,14 +65,14 @@ void drawTitle(const PartSource& part, UiState& ui, Requests& requests) {
   ButtonLook look{"Delete this part  (X or Delete)"};
   look.danger = true;
   if (iconButton("delete", kIconTrash2, side, look)) {
-    requests.commands.push_back(DeletePart{part.id});
+    requests.commands.push_back(DeleteParts{{part.id}});
   }
   ImGui::SetCursorPos({at.x + width - side, at.y});
   if (iconButton("close", kIconX, side, {"Close  (Esc)"})) {
     if (ui.narrow()) {
       ui.open.part = false;
     } else {
-      ui.selected.clear();
+      ui.selection.clear();
     }
     requests.again = true;
   }
@@ -86,21 +86,21 @@ void drawSliders(const PartSource& part, UiState& ui, Requests& requests) {
   SliderEvent event = slider("thickness", t, kMark, height);
   tooltipForLastItem("How thick the part is compared to its width");
   if (event.changed) {
-    ui.edit = PendingEdit{SetThickness{part.id, fromSlider(t, kMinThickness, 1, kMaxThickness)}};
+    ui.edit = PendingEdit{SetThickness{{part.id}, fromSlider(t, kMinThickness, 1, kMaxThickness)}};
   }
   if (event.released) requests.commit_edit = true;
   requests.again |= event.changed || event.released;
 
   sliderTitle("Bones", "fewer \xE2\x86\x92 more");
   const double standard = JointOptions().epsilon_s;
-  t = toSlider(part.epsilon_s.value_or(standard), kFewBones, standard, kManyBones);
+  t = toSlider(part.refine.simplify.value_or(standard), kFewBones, standard, kManyBones);
   event = slider("bones", t, kMark, height);
   tooltipForLastItem(
       "More bones follow the drawing more closely, fewer are easier to pose "
       "(simplification \xCE\xB5)");
   if (event.changed) {
-    SetSimplify simplify{part.id, std::nullopt};
-    if (t != kMark) simplify.epsilon_s = fromSlider(t, kFewBones, standard, kManyBones);
+    SetRefinement simplify{{part.id}, {}, &Refinement::simplify, std::nullopt};
+    if (t != kMark) simplify.value = fromSlider(t, kFewBones, standard, kManyBones);
     ui.edit = PendingEdit{simplify};
   }
   if (event.released) requests.commit_edit = true;
@@ -120,7 +120,7 @@ void drawColors(const PartSource& part, const UiState& ui, Requests& requests) {
     ImGui::PushID(static_cast<int>(i));
     const bool chosen = color == part.color;
     if (swatch("color", color, chosen, side) && !chosen) {
-      requests.commands.push_back(SetColor{part.id, color});
+      requests.commands.push_back(SetColor{{part.id}, color});
     }
     ImGui::PopID();
   }
@@ -130,7 +130,7 @@ void drawColors(const PartSource& part, const UiState& ui, Requests& requests) {
 }  // namespace
 
 void drawPartPanel(const PanelInput& input, UiState& ui, Requests& requests) {
-  const auto index = input.shown.find(ui.selected);
+  const auto index = input.shown.find(sourceId(ui.selection.primary()));
   if (!index || !ui.open.part || input.drawing) return;
   const PartSource& part = *input.shown.parts[*index];
   beginPanel("part", ui.narrow() ? sheetBox(ui) : columnBox(ui));

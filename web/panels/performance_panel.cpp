@@ -55,7 +55,8 @@ void drawPerformancePanel(const PanelInput& input, UiState& ui, Requests& reques
     box.anchor = {1, 1};
     box.width = 268;
     // Below the part's panel, or beside it where the column is too short for both.
-    const bool beside = ui.size.height < kBothPanels_px && input.shown.find(ui.selected);
+    const bool beside =
+        ui.size.height < kBothPanels_px && input.shown.find(sourceId(ui.selection.primary()));
     if (beside) box.position.x -= box.width + margin(ui);
   }
   beginPanel("performance panel", box);

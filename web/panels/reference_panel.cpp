@@ -49,8 +49,8 @@ void drawSliders(const Reference& shown, const Pixels& pixels, UiState& ui, Requ
     changed = true;
   }
   const double span = std::log(kLargest / kSmallest);
-  t = static_cast<float>(std::clamp(
-      std::log(reference.scale / fit.scale / kSmallest) / span, 0.0, 1.0));
+  t = static_cast<float>(
+      std::clamp(std::log(reference.scale / fit.scale / kSmallest) / span, 0.0, 1.0));
   if (sliderRow({"size", "Size", "small \xE2\x86\x92 large", "How large it is"}, t, 0.5f, ui,
                 requests)) {
     reference.scale = fit.scale * kSmallest * std::exp(t * span);

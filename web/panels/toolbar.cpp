@@ -1,4 +1,4 @@
-// Undo, redo, new drawing, help.
+// The drawing's sheet, undo, redo, new drawing, help.
 #include <string>
 
 #include "icons.h"
@@ -15,8 +15,18 @@ void drawToolbar(const PanelInput& input, UiState& ui, Requests& requests) {
   const float side = buttonSide(ui);
   const History& history = input.history;
 
+  ButtonLook look{"Open, save, samples and recent drawings"};
+  look.on = ui.open.file;
+  if (iconButton("file", kIconMenu, side, look)) {
+    const bool opens = !ui.open.file;
+    ui.openOnly(&PanelsOpen::file);
+    ui.open.file = opens;
+    requests.again = true;
+  }
+
+  ImGui::SameLine();
   const std::string undo = "Undo: " + history.undoName() + "  (Ctrl Z)";
-  ButtonLook look{history.canUndo() ? undo.c_str() : "Nothing to undo  (Ctrl Z)"};
+  look = {history.canUndo() ? undo.c_str() : "Nothing to undo  (Ctrl Z)"};
   look.enabled = history.canUndo();
   if (iconButton("undo", kIconUndo2, side, look)) requests.undo = true;
 
@@ -28,9 +38,9 @@ void drawToolbar(const PanelInput& input, UiState& ui, Requests& requests) {
 
   ImGui::SameLine();
   look = {"New drawing. Undo brings this one back."};
-  look.enabled = !input.shown.parts.empty();
+  look.enabled = !input.shelf.keeping.empty();
   if (iconButton("new", kIconFilePlus, side, look)) {
-    requests.commands.push_back(ReplaceDocument{Document{}, "New drawing"});
+    requests.files.push_back({FileAction::Kind::begin, {}});
   }
 
   ImGui::SameLine();

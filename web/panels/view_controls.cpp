@@ -4,6 +4,7 @@
 
 #include "icons.h"
 #include "panels/layout.h"
+#include "panels/menu_rows.h"
 #include "panels/panel.h"
 
 namespace marrow {
@@ -114,6 +115,15 @@ void drawSwitches(UiState& ui, Requests& requests) {
       requests.again = true;
     }
   }
+  ImGui::SameLine();
+  ButtonLook look{"Picture to draw after, behind this view"};
+  look.on = ui.open.picture;
+  if (iconButton("picture", kIconImage, buttonSide(ui), look)) {
+    const bool opens = !ui.open.picture;
+    ui.openOnly(&PanelsOpen::picture);
+    ui.open.picture = opens;
+    requests.again = true;
+  }
 }
 
 void drawWide(UiState& ui, Requests& requests) {
@@ -149,7 +159,7 @@ void sheetButton(const char* id, const char* icon, bool PanelsOpen::*which, Butt
   look.on = ui.open.*which && look.enabled;
   if (!iconButton(id, icon, buttonSide(ui), look)) return;
   const bool opens = !(ui.open.*which);
-  ui.open = PanelsOpen{false, false, false, false};
+  ui.open = PanelsOpen{false, false, false, false, false};
   ui.open.*which = opens;
   requests.again = true;
 }
@@ -165,7 +175,7 @@ void drawNarrow(const PanelInput& input, UiState& ui, Requests& requests) {
   sheetButton("view", kIconEye, &PanelsOpen::view, {"What is shown"}, ui, requests);
   ImGui::SameLine();
   ButtonLook look{"The selected part"};
-  look.enabled = input.shown.find(ui.selected).has_value();
+  look.enabled = input.shown.find(sourceId(ui.selection.primary())).has_value();
   sheetButton("part", kIconSlidersHorizontal, &PanelsOpen::part, look, ui, requests);
   ImGui::SameLine();
   sheetButton("performance", kIconGauge, &PanelsOpen::performance,
@@ -185,6 +195,10 @@ void drawNarrow(const PanelInput& input, UiState& ui, Requests& requests) {
       ui.show.*item.shown = !(ui.show.*item.shown);
       requests.again = true;
     }
+  }
+  if (menuRow("picture", kIconImage, "Picture to draw after\xE2\x80\xA6", "", 44)) {
+    ui.openOnly(&PanelsOpen::picture);
+    requests.again = true;
   }
   endPanel();
 }

@@ -10,6 +10,7 @@
 
 #include "io/document_json.h"
 #include "io/json.h"
+#include "platform/browser_files.h"
 #include "platform/key_names.h"
 #include "render/presenter.h"
 #include "report.h"
@@ -22,6 +23,7 @@ double now_ms() { return emscripten_performance_now(); }
 /// Everything alive in the page; lives as long as it does.
 struct Page {
   App app{now_ms};
+  BrowserFiles files{app};
   EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = 0;
   std::unique_ptr<Presenter> presenter;  // none while the context is lost
   std::string answer;                    // of the last call, until the next one
@@ -49,6 +51,7 @@ std::string verdict(const Result<bool>& result) {
 
 std::string call(const std::string& name, const std::string& text) {
   App& app = page->app;
+  if (const auto answer = page->files.call(name, text)) return *answer;
   if (name == "document") return writeDocument(app.document());
   if (name == "load") return verdict(app.load(text));
   if (name == "parts") return partsReport(app);
@@ -57,7 +60,7 @@ std::string call(const std::string& name, const std::string& text) {
   if (name == "redo") return app.redo() ? "true" : "false";
   if (name == "wantsText") return app.wantsText() ? "true" : "false";
   if (name == "key") {
-    app.post(KeyEvent{keyNamed(text)});
+    app.post(keyNamed(text));
     return "true";
   }
   return "null";
@@ -82,9 +85,9 @@ EMSCRIPTEN_KEEPALIVE void marrow_resize(double width, double height, double dpr)
   page->app.resize({width, height}, dpr);
 }
 
-/// type, kind and button: numbers of the enums in input.h.
+/// type, kind and button: numbers of the enums in input.h. held: 1 Alt, 2 Shift.
 EMSCRIPTEN_KEEPALIVE void marrow_pointer(int type, int kind, int id, int button, double x, double y,
-                                         double pressure, double time_ms, int alt) {
+                                         double pressure, double time_ms, int held) {
   marrow::PointerEvent event;
   event.type = static_cast<marrow::PointerEvent::Type>(type);
   event.kind = static_cast<marrow::PointerKind>(kind);
@@ -93,7 +96,8 @@ EMSCRIPTEN_KEEPALIVE void marrow_pointer(int type, int kind, int id, int button,
   event.position_px = {x, y};
   event.pressure = pressure;
   event.time_ms = time_ms;
-  event.alt = alt != 0;
+  event.alt = (held & 1) != 0;
+  event.shift = (held & 2) != 0;
   page->app.post(event);
 }
 
@@ -104,6 +108,16 @@ EMSCRIPTEN_KEEPALIVE void marrow_wheel(double x, double y, double zoom, double p
 
 EMSCRIPTEN_KEEPALIVE void marrow_text(int character) {
   page->app.post(marrow::TextEvent{static_cast<char32_t>(character)});
+}
+
+/// The pixels of a reference picture: texture, its size, the picture's own size, and RGBA from the
+/// top.
+EMSCRIPTEN_KEEPALIVE void marrow_pixels(int texture, int width, int height, int natural_width,
+                                        int natural_height, const uint8_t* rgba) {
+  marrow::Pixels pixels{width, height, natural_width, natural_height, {}};
+  pixels.rgba.assign(rgba, rgba + static_cast<size_t>(width) * static_cast<size_t>(height) * 4);
+  page->app.shelf().pictures.decoded(static_cast<marrow::TextureId>(texture), std::move(pixels));
+  page->app.redraw();
 }
 
 /// The WebGL context was lost, or is back.

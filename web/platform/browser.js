@@ -56,7 +56,7 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
     const box = canvas.getBoundingClientRect();
     _marrow_pointer(types[type], kinds[event.pointerType] ?? 0, event.pointerId, button,
                     event.clientX - box.left, event.clientY - box.top, event.pressure,
-                    event.timeStamp, event.altKey ? 1 : 0);
+                    event.timeStamp, (event.altKey ? 1 : 0) + (event.shiftKey ? 2 : 0));
   }
   function release(type, event) {
     if (!held.delete(event.pointerId)) return;
@@ -104,21 +104,24 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
   }, {passive: false});
 
   // Keys. Letters by what they write, or by their place on keyboards of other scripts.
-  const plainKeys = {
-    x: 'remove', 1: 'front', 3: 'right', 7: 'top', f: 'frameAll', '?': 'help', escape: 'escape',
-    delete: 'deleteForward', backspace: 'backspace', enter: 'enter', arrowleft: 'leftArrow',
-    arrowright: 'rightArrow', home: 'home', end: 'end',
+  const namedKeys = {
+    escape: 'escape', delete: 'deleteForward', backspace: 'backspace', enter: 'enter',
+    arrowleft: 'leftArrow', arrowright: 'rightArrow', home: 'home', end: 'end',
   };
+  const characters = 'abcdfghlmrsvxyzABCDFGHLMRSVXYZ0123456789.-?[]';
   function keyName(event) {
     const latin = event.key.length > 1 || event.key.charCodeAt(0) < 128;
-    const key = latin ? event.key.toLowerCase() : event.code.replace(/^Key/, '').toLowerCase();
+    const written = latin ? event.key : event.code.replace(/^Key/, '').toLowerCase();
+    const key = written.toLowerCase();
     if (event.ctrlKey || event.metaKey) {
       if (key === 'z') return event.shiftKey ? 'redo' : 'undo';
       if (key === 's') return event.shiftKey ? 'saveAs' : 'save';
       if (key === 'o') return event.shiftKey ? undefined : 'open';
       return key === 'y' ? 'redo' : key === 'a' ? 'selectAll' : undefined;
     }
-    return event.altKey ? undefined : plainKeys[key];
+    if (event.altKey) return undefined;
+    return namedKeys[key] ?? (written.length === 1 && characters.includes(written) ? written
+                                                                                   : undefined);
   }
   window.addEventListener('keydown', (event) => {
     const target = event.target;

@@ -124,7 +124,7 @@ std::optional<std::string> BrowserFiles::call(const std::string& name, const std
   } else if (name == "noStorage") {
     keeping.has_storage = false;
   } else if (name == "keepNow") {
-    keeping.keepNow();
+    app_.keepNow();
   } else if (name == "say") {
     app_.say(text);
   } else {

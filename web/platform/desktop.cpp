@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "io/stroke_json.h"
+#include "platform/desktop_files.h"
 #include "platform/options.h"
 #include "render/presenter.h"
 #include "report.h"
@@ -29,6 +30,8 @@ double now_ms() { return glfwGetTime() * 1000; }
 
 struct Desktop {
   App app{now_ms};
+  std::unique_ptr<DesktopFiles> files;
+  std::string title;  // of the window
   std::unique_ptr<Presenter> presenter;
   GLFWwindow* window = nullptr;
   ViewSize size;
@@ -65,18 +68,20 @@ PointerEvent pointerEvent(Desktop& desktop, PointerEvent::Type type, int button)
                                                       : Button::primary;
   event.position_px = {x * desktop.cursor_scale, y * desktop.cursor_scale};
   event.time_ms = now_ms();
-  event.alt = glfwGetKey(desktop.window, GLFW_KEY_LEFT_ALT) == GLFW_PRESS;
+  const auto isHeld = [&](int key) { return glfwGetKey(desktop.window, key) == GLFW_PRESS; };
+  event.alt = isHeld(GLFW_KEY_LEFT_ALT);
+  event.shift = isHeld(GLFW_KEY_LEFT_SHIFT) || isHeld(GLFW_KEY_RIGHT_SHIFT);
   return event;
 }
 
 Key keyOf(int key, int mods) {
   if (mods & GLFW_MOD_CONTROL) {
     if (key == GLFW_KEY_Z) return mods & GLFW_MOD_SHIFT ? Key::redo : Key::undo;
+    if (key == GLFW_KEY_S) return mods & GLFW_MOD_SHIFT ? Key::save_as : Key::save;
+    if (key == GLFW_KEY_O) return Key::open;
     return key == GLFW_KEY_Y ? Key::redo : key == GLFW_KEY_A ? Key::select_all : Key::none;
   }
   switch (key) {
-    case GLFW_KEY_X:
-      return Key::remove;
     case GLFW_KEY_DELETE:
       return Key::delete_forward;
     case GLFW_KEY_BACKSPACE:
@@ -93,17 +98,6 @@ Key keyOf(int key, int mods) {
       return Key::home;
     case GLFW_KEY_END:
       return Key::end;
-    case GLFW_KEY_F:
-      return Key::frame_all;
-    case GLFW_KEY_1:
-    case GLFW_KEY_KP_1:
-      return Key::front;
-    case GLFW_KEY_3:
-    case GLFW_KEY_KP_3:
-      return Key::right;
-    case GLFW_KEY_7:
-    case GLFW_KEY_KP_7:
-      return Key::top;
     default:
       return Key::none;
   }
@@ -143,14 +137,24 @@ void listen(GLFWwindow* window) {
     const Key known = keyOf(key, mods);
     if (action != GLFW_RELEASE && known != Key::none) desktopOf(w).app.post(KeyEvent{known});
   });
+  glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+    Desktop& desktop = desktopOf(w);
+    if (count > 0) desktop.files->open(paths[0]);
+  });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned int character) {
     desktopOf(w).app.post(TextEvent{character});
-    if (character == '?') desktopOf(w).app.post(KeyEvent{Key::help});
+    if (character > 32 && character < 127) {
+      desktopOf(w).app.post(KeyEvent{Key::none, static_cast<char>(character)});
+    }
   });
 }
 
 App::FrameResult drawFrame(Desktop& desktop) {
   const App::FrameResult result = desktop.app.frame(now_ms());
+  desktop.files->perform();
+  const std::string title = desktop.app.shelf().keeping.title();
+  if (title != desktop.title) glfwSetWindowTitle(desktop.window, title.c_str());
+  desktop.title = title;
   if (result.draw) {
     desktop.presenter->draw(desktop.app);
     glfwSwapBuffers(desktop.window);
@@ -198,6 +202,14 @@ int fail(const std::string& sentence) {
 }
 
 int run(Desktop& desktop, const DesktopOptions& options) {
+  desktop.files = std::make_unique<DesktopFiles>(desktop.app, !options.endsByItself());
+  desktop.files->start();
+  if (options.restore && !desktop.files->restoreNewest()) return fail("no drawing is kept.");
+  if (!options.document.empty()) {
+    const auto opened = desktop.files->open(options.document);
+    if (!opened) return fail(opened.message());
+    settle(desktop);
+  }
   for (const std::string& file : options.strokes) {
     std::ifstream in(file, std::ios::binary);
     if (!in) return fail(file + ": cannot be read.");
@@ -210,6 +222,9 @@ int run(Desktop& desktop, const DesktopOptions& options) {
     settle(desktop);
     if (!options.screenshot.empty() && !writeScreenshot(desktop, options.screenshot)) {
       return fail(options.screenshot + ": cannot be written.");
+    }
+    if (!options.save.empty() && !desktop.files->write(options.save)) {
+      return fail(options.save + ": cannot be written.");
     }
     if (!options.dump.empty()) {
       std::ofstream out(options.dump, std::ios::binary);
@@ -228,6 +243,8 @@ int run(Desktop& desktop, const DesktopOptions& options) {
       glfwWaitEventsTimeout(std::clamp(result.wake_after_ms / 1000, 0.001, kLongestWait_s));
     }
   }
+  desktop.app.keepNow();
+  desktop.files->perform();
   return 0;
 }
 

@@ -65,8 +65,9 @@ Result<bool> DesktopFiles::open(const std::string& path) {
       app_.addPicture(picture->image, picture->width, picture->height);
       return true;
     }
-    const std::string sentence = name + " cannot be shown: it is not a PNG or JPEG picture that "
-                                        "can be read.";
+    const std::string sentence = name +
+                                 " cannot be shown: it is not a PNG or JPEG picture that "
+                                 "can be read.";
     app_.say(sentence);
     return {Status::unreadable, sentence};
   }

@@ -80,9 +80,9 @@ std::optional<PictureText> pictureText(const std::vector<uint8_t>& file) {
   const bool jpeg = file[0] == 0xFF;
   const Pixels pixels = fitting(*whole);
   if (pixels.width == whole->width && file.size() <= PictureText::kLargestFile) {
-    return PictureText{std::string("data:image/") + (jpeg ? "jpeg" : "png") + ";base64," +
-                           toBase64(file),
-                       pixels.width, pixels.height};
+    return PictureText{
+        std::string("data:image/") + (jpeg ? "jpeg" : "png") + ";base64," + toBase64(file),
+        pixels.width, pixels.height};
   }
   bool opaque = true;
   for (size_t i = 3; i < pixels.rgba.size(); i += 4) opaque &= pixels.rgba[i] == 255;
@@ -95,9 +95,9 @@ std::optional<PictureText> pictureText(const std::vector<uint8_t>& file) {
     stbi_write_png_to_func(append, &written, pixels.width, pixels.height, 4, pixels.rgba.data(),
                            pixels.width * 4);
   }
-  return PictureText{std::string("data:image/") + (opaque ? "jpeg" : "png") + ";base64," +
-                         toBase64(written),
-                     pixels.width, pixels.height};
+  return PictureText{
+      std::string("data:image/") + (opaque ? "jpeg" : "png") + ";base64," + toBase64(written),
+      pixels.width, pixels.height};
 }
 
 std::optional<Pixels> pixelsOf(const std::string& image) {

@@ -5,31 +5,28 @@
 
 namespace marrow {
 
-Key keyNamed(const std::string& name) {
-  static constexpr std::array<std::pair<const char*, Key>, 18> kNames{{
+KeyEvent keyNamed(const std::string& name) {
+  static constexpr std::array<std::pair<const char*, Key>, 14> kNames{{
       {"undo", Key::undo},
       {"redo", Key::redo},
-      {"remove", Key::remove},
+      {"selectAll", Key::select_all},
+      {"open", Key::open},
+      {"save", Key::save},
+      {"saveAs", Key::save_as},
       {"escape", Key::escape},
-      {"front", Key::front},
-      {"right", Key::right},
-      {"top", Key::top},
-      {"frameAll", Key::frame_all},
-      {"help", Key::help},
       {"backspace", Key::backspace},
       {"enter", Key::enter},
       {"leftArrow", Key::left_arrow},
       {"rightArrow", Key::right_arrow},
       {"home", Key::home},
       {"end", Key::end},
-      {"selectAll", Key::select_all},
       {"deleteForward", Key::delete_forward},
-      {"none", Key::none},
   }};
+  if (name.size() == 1 && name[0] > 32 && name[0] < 127) return {Key::none, name[0]};
   for (const auto& [known, key] : kNames) {
-    if (name == known) return key;
+    if (name == known) return {key};
   }
-  return Key::none;
+  return {};
 }
 
 }  // namespace marrow

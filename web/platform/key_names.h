@@ -1,4 +1,4 @@
-// Keys by name, as the platforms and their scripts give them.
+// Keys by name, as they come from the page.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace marrow {
 
-/// "undo", "frameAll", … ; Key::none for any other name.
-Key keyNamed(const std::string& name);
+/// A single character of ASCII means the key that writes it. No key for a name that is not known.
+KeyEvent keyNamed(const std::string& name);
 
 }  // namespace marrow

@@ -65,9 +65,8 @@ void GroundShadow::makePicture(const Scene& scene, GpuCache& cache) {
   cast_.set("u_color", Rgba{1, 1, 1, 1});
   for (const Scene::Body& body : scene.bodies) {
     const GpuMesh& mesh = cache.mesh(body.mesh_id, *body.part);
-    const Vec3 offset = mesh.origin - scene.camera.target;
-    cast_.set("u_offset", Float3{static_cast<float>(offset.x), static_cast<float>(offset.y),
-                                 static_cast<float>(offset.z)});
+    setPlace(cast_, body.frame, mesh.origin, {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}},
+             scene.camera.target);
     glBindVertexArray(mesh.vertex_array.name());
     glDrawElements(GL_TRIANGLES, mesh.triangle_indices, GL_UNSIGNED_INT, nullptr);
   }
@@ -86,15 +85,17 @@ void GroundShadow::makePicture(const Scene& scene, GpuCache& cache) {
   }
 }
 
-void GroundShadow::draw(const Scene& scene, GpuCache& cache, Float3 clip_scale) {
+void GroundShadow::draw(const Scene& scene, GpuCache& cache, Float3 clip_scale,
+                        GLuint framebuffer) {
   if (scene.bodies.empty() || !(scene.high.x > scene.low.x)) return;
   uint64_t now = 1;
   for (const Scene::Body& body : scene.bodies) {
     now = fingerprint(&body.mesh_id, sizeof body.mesh_id, now);
+    now = fingerprint(&body.frame, sizeof body.frame, now);
   }
   if (now != fingerprint_) {
     makePicture(scene, cache);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     setViewport(scene);
     fingerprint_ = now;
   }

@@ -11,7 +11,7 @@ class GroundShadow {
  public:
   GroundShadow();
   /// Draws into the canvas. The picture of the shadow is made again only where the bodies changed.
-  void draw(const Scene& scene, GpuCache& cache, Float3 clip_scale);
+  void draw(const Scene& scene, GpuCache& cache, Float3 clip_scale, GLuint framebuffer);
   std::string log() const { return cast_.log() + blur_.log() + ground_.log(); }
 
  private:

@@ -46,7 +46,7 @@ void PanelRenderer::uploadFonts() {
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
 }
 
-void PanelRenderer::draw(const ImDrawData& data, int fonts_version) {
+void PanelRenderer::draw(const ImDrawData& data, int fonts_version, const Textures& textures) {
   if (fonts_version_ != fonts_version) {
     uploadFonts();
     fonts_version_ = fonts_version;
@@ -60,7 +60,7 @@ void PanelRenderer::draw(const ImDrawData& data, int fonts_version) {
   program_.set("u_size", data.DisplaySize.x, data.DisplaySize.y);
   program_.set("u_fonts", 0);
   glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, fonts_.name());
+  GLuint bound = 0;
   glBindVertexArray(vertex_array_.name());
   const ImVec2 scale = data.FramebufferScale;
   const float height = data.DisplaySize.y * scale.y;
@@ -78,6 +78,11 @@ void PanelRenderer::draw(const ImDrawData& data, int fonts_version) {
       const auto top = static_cast<GLint>(std::floor(std::max(clip.y, 0.0f) * scale.y));
       const auto bottom = static_cast<GLint>(std::ceil(clip.w * scale.y));
       if (right <= left || bottom <= top) continue;
+      const auto id = static_cast<TextureId>(reinterpret_cast<uintptr_t>(command.GetTexID()));
+      const GLuint texture = id == 0 ? fonts_.name() : textures.find(id);
+      if (texture == 0) continue;
+      if (texture != bound) glBindTexture(GL_TEXTURE_2D, texture);
+      bound = texture;
       glScissor(left, static_cast<GLint>(std::ceil(height)) - bottom, right - left, bottom - top);
       glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), GL_UNSIGNED_SHORT,
                      offset(command.IdxOffset * sizeof(ImDrawIdx)));

@@ -4,6 +4,7 @@
 
 #include "render/gl.h"
 #include "render/program.h"
+#include "render/textures.h"
 
 struct ImDrawData;
 
@@ -13,7 +14,8 @@ class PanelRenderer {
  public:
   PanelRenderer();
   /// fonts_version: another one means that the atlas is to be uploaded again.
-  void draw(const ImDrawData& data, int fonts_version);
+  /// textures: what ImGui's texture ids mean; 0 is the font atlas.
+  void draw(const ImDrawData& data, int fonts_version, const Textures& textures);
   std::string log() const { return program_.log(); }
 
  private:

@@ -5,8 +5,9 @@
 namespace marrow {
 
 void Presenter::draw(const App& app) {
-  renderer_.draw(app.scene());
-  panels_.draw(*ImGui::GetDrawData(), app.fontsVersion());
+  textures_.update(app.shelf(), app.ui().dpr, renderer_);
+  renderer_.draw(app.scene(), textures_);
+  panels_.draw(*ImGui::GetDrawData(), app.fontsVersion(), textures_);
 }
 
 }  // namespace marrow

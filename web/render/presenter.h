@@ -6,6 +6,7 @@
 #include "app.h"
 #include "render/panel_renderer.h"
 #include "render/renderer.h"
+#include "render/textures.h"
 
 namespace marrow {
 
@@ -19,6 +20,7 @@ class Presenter {
  private:
   Renderer renderer_;
   PanelRenderer panels_;
+  Textures textures_;
 };
 
 }  // namespace marrow

@@ -24,6 +24,24 @@ GLuint compile(GLenum stage, const char* file) {
 
 }  // namespace
 
+void setPlace(const Program& program, const Frame& frame, Vec3 origin,
+              const std::array<Vec3, 3>& axes, Vec3 target) {
+  const double size = frame.scale();
+  const Vec3 part_axes[] = {frame.x / size, frame.y / size, frame.z() / size};
+  const Vec3 place = frame.toWorld(origin) - target;
+  std::array<Vec3, 3> rotation;
+  double offset[3];
+  for (size_t i = 0; i < 3; ++i) {
+    rotation[i] = {dot(axes[i], part_axes[0]), dot(axes[i], part_axes[1]),
+                   dot(axes[i], part_axes[2])};
+    offset[i] = dot(axes[i], place);
+  }
+  program.setRotation("u_rotation", rotation);
+  program.set("u_size", static_cast<float>(size));
+  program.set("u_offset", Float3{static_cast<float>(offset[0]), static_cast<float>(offset[1]),
+                                 static_cast<float>(offset[2])});
+}
+
 void setViewport(const Scene& scene) {
   glViewport(0, 0, static_cast<GLsizei>(std::lround(scene.size.width * scene.dpr)),
              static_cast<GLsizei>(std::lround(scene.size.height * scene.dpr)));

@@ -9,6 +9,11 @@
 
 namespace marrow {
 
+class Program;
+/// Sets u_rotation, u_size and u_offset for a mesh that lies around `origin` of a part's frame,
+/// seen along `axes` (rows) from `target`.
+void setPlace(const Program& program, const Frame& frame, Vec3 origin,
+              const std::array<Vec3, 3>& axes, Vec3 target);
 /// The whole canvas.
 void setViewport(const Scene& scene);
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "render/textures.h"
+
 namespace marrow {
 namespace {
 
@@ -12,14 +14,18 @@ constexpr Rgba kSelectedOutline{0.93f, 0.42f, 0.10f, 1};
 constexpr Rgba kWire{0.10f, 0.12f, 0.20f, 0.42f};
 constexpr float kOutline_px = 1.6f, kSelectedOutline_px = 3.0f;
 
-Float3 toFloat(Vec3 v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 // View coordinates, model units → clip space.
 Float3 clipScale(const Camera& camera, const Scene& scene) {
   return {static_cast<float>(2 * camera.zoom / scene.size.width),
           static_cast<float>(2 * camera.zoom / scene.size.height), -1 / scene.depth};
+}
+
+/// What lies at `v` from the target, or a direction.
+Float3 inView(const Camera& camera, Float3 v) {
+  const auto [right, up, back] = camera.axes();
+  const Vec3 p{v.x, v.y, v.z};
+  return {static_cast<float>(dot(right, p)), static_cast<float>(dot(up, p)),
+          static_cast<float>(dot(back, p))};
 }
 
 Rgba darker(Rgba color) { return {color.r * 0.42f, color.g * 0.40f, color.b * 0.46f, color.a}; }
@@ -30,6 +36,8 @@ Renderer::Renderer()
     : background_("background.vert", "background.frag"),
       part_("part.vert", "part.frag"),
       wire_("part.vert", "flat.frag"),
+      sheet_("sheet.vert", "sheet.frag"),
+      picture_("sheet.vert", "picture.frag"),
       segment_("segment.vert", "segment.frag"),
       bone_("bone.vert", "bone.frag"),
       ball_("ball.vert", "round.frag"),
@@ -41,11 +49,12 @@ Renderer::Renderer()
       nothing_(makeVertexArray()) {}
 
 std::string Renderer::log() const {
-  return background_.log() + part_.log() + wire_.log() + segment_.log() + bone_.log() +
-         ball_.log() + cone_.log() + shadow_.log();
+  return background_.log() + part_.log() + wire_.log() + sheet_.log() + picture_.log() +
+         segment_.log() + bone_.log() + ball_.log() + cone_.log() + shadow_.log();
 }
 
-void Renderer::draw(const Scene& scene) {
+void Renderer::draw(const Scene& scene, const Textures& textures, GLuint framebuffer) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   setViewport(scene);
   glDisable(GL_SCISSOR_TEST);
   glDepthMask(GL_TRUE);
@@ -53,9 +62,13 @@ void Renderer::draw(const Scene& scene) {
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glClear(GL_DEPTH_BUFFER_BIT);
   drawBackground();
-  if (scene.show_shadow) shadow_.draw(scene, cache_, clipScale(scene.camera, scene));
+  drawPictures(scene, textures);
+  if (scene.show_shadow) {
+    shadow_.draw(scene, cache_, clipScale(scene.camera, scene), framebuffer);
+  }
   if (scene.show_mesh) drawBodies(scene);
   if (scene.show_wireframe) drawWireframe(scene);
+  drawSheets(scene);
   drawProxy(scene);
   drawSegments(scene.overlay, scene.camera, scene);
   drawBones(scene);
@@ -76,6 +89,30 @@ void Renderer::drawBackground() {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+void Renderer::drawPictures(const Scene& scene, const Textures& textures) {
+  if (scene.pictures.empty()) return;
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  picture_.use();
+  Float3 scale = clipScale(scene.camera, scene);
+  scale.z = 0;  // however far away its plane is
+  picture_.set("u_scale", scale);
+  picture_.set("u_picture", 0);
+  glActiveTexture(GL_TEXTURE0);
+  glBindVertexArray(nothing_.name());
+  for (const Scene::Picture& picture : scene.pictures) {
+    const GLuint texture = textures.find(picture.texture);
+    if (texture == 0) continue;
+    glBindTexture(GL_TEXTURE_2D, texture);
+    picture_.set("u_center", inView(scene.camera, picture.center));
+    picture_.set("u_x", inView(scene.camera, picture.x));
+    picture_.set("u_y", inView(scene.camera, picture.y));
+    picture_.set("u_opacity", picture.opacity);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+}
+
 void Renderer::setView(const Program& program, const Camera& camera, const Scene& scene) const {
   program.use();
   program.setRotation("u_rotation", camera.axes());
@@ -86,6 +123,7 @@ void Renderer::setView(const Program& program, const Camera& camera, const Scene
 }
 
 void Renderer::drawBodies(const Scene& scene) {
+  const auto axes = scene.camera.axes();
   glEnable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   glEnable(GL_CULL_FACE);
@@ -97,7 +135,7 @@ void Renderer::drawBodies(const Scene& scene) {
   glCullFace(GL_BACK);
   for (const Scene::Body& body : scene.bodies) {
     const GpuMesh& mesh = cache_.mesh(body.mesh_id, *body.part);
-    part_.set("u_offset", toFloat(mesh.origin - scene.camera.target));
+    setPlace(part_, body.frame, mesh.origin, axes, scene.camera.target);
     part_.set("u_color", body.color);
     glBindVertexArray(mesh.vertex_array.name());
     glDrawElements(GL_TRIANGLES, mesh.triangle_indices, GL_UNSIGNED_INT, nullptr);
@@ -108,7 +146,7 @@ void Renderer::drawBodies(const Scene& scene) {
   glCullFace(GL_FRONT);
   for (const Scene::Body& body : scene.bodies) {
     const GpuMesh& mesh = cache_.mesh(body.mesh_id, *body.part);
-    wire_.set("u_offset", toFloat(mesh.origin - scene.camera.target));
+    setPlace(wire_, body.frame, mesh.origin, axes, scene.camera.target);
     wire_.set("u_outline_px", body.selected ? kSelectedOutline_px : kOutline_px);
     wire_.set("u_color", body.selected ? kSelectedOutline : darker(body.color));
     glBindVertexArray(mesh.vertex_array.name());
@@ -118,6 +156,7 @@ void Renderer::drawBodies(const Scene& scene) {
 }
 
 void Renderer::drawWireframe(const Scene& scene) {
+  const auto axes = scene.camera.axes();
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_BLEND);
   glDisable(GL_CULL_FACE);
@@ -126,10 +165,29 @@ void Renderer::drawWireframe(const Scene& scene) {
   wire_.set("u_color", kWire);
   for (const Scene::Body& body : scene.bodies) {
     const GpuMesh& mesh = cache_.meshWithEdges(body.mesh_id, *body.part);
-    wire_.set("u_offset", toFloat(mesh.origin - scene.camera.target));
+    setPlace(wire_, body.frame, mesh.origin, axes, scene.camera.target);
     glBindVertexArray(mesh.edge_array.name());
     glDrawElements(GL_LINES, mesh.edge_indices, GL_UNSIGNED_INT, nullptr);
   }
+}
+
+void Renderer::drawSheets(const Scene& scene) {
+  if (scene.sheets.empty()) return;
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  sheet_.use();
+  sheet_.set("u_scale", clipScale(scene.camera, scene));
+  glBindVertexArray(nothing_.name());
+  for (const Scene::Sheet& sheet : scene.sheets) {
+    sheet_.set("u_center", inView(scene.camera, sheet.center));
+    sheet_.set("u_x", inView(scene.camera, sheet.x));
+    sheet_.set("u_y", inView(scene.camera, sheet.y));
+    sheet_.set("u_color", sheet.color);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+  glDepthMask(GL_TRUE);
 }
 
 void Renderer::drawProxy(const Scene& scene) {

@@ -11,26 +11,30 @@
 
 namespace marrow {
 
+class Textures;
+
 class Renderer {
  public:
   /// The context must be current.
   Renderer();
-  /// Into the canvas: framebuffer 0.
-  void draw(const Scene& scene);
+  /// Into a framebuffer, 0: the canvas.
+  void draw(const Scene& scene, const Textures& textures, GLuint framebuffer = 0);
   /// Why a shader did not compile; empty when all did.
   std::string log() const;
 
  private:
   void drawBackground();
+  void drawPictures(const Scene& scene, const Textures& textures);
   void drawBodies(const Scene& scene);
   void drawWireframe(const Scene& scene);
+  void drawSheets(const Scene& scene);
   void drawProxy(const Scene& scene);
   void drawBones(const Scene& scene);
   void drawSegments(const std::vector<Scene::Segment>& segments, const Camera& camera,
                     const Scene& scene);
   void setView(const Program& program, const Camera& camera, const Scene& scene) const;
 
-  Program background_, part_, wire_, segment_, bone_, ball_, cone_;
+  Program background_, part_, wire_, sheet_, picture_, segment_, bone_, ball_, cone_;
   Instances segments_, octahedra_, balls_, tubes_;
   GroundShadow shadow_;
   GpuCache cache_;

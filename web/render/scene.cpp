@@ -50,8 +50,14 @@ uint64_t fingerprint(const Scene& scene) {
                          (scene.show_shadow ? 4 : 0));
   for (const Scene::Body& body : scene.bodies) {
     hash = mixed(mixed(hash, body.mesh_id), body.selected ? 1 : 0);
+    hash = fingerprint(&body.frame, sizeof body.frame, hash);
     hash = fingerprint(&body.color, sizeof body.color, hash);
   }
+  for (const Scene::Picture& picture : scene.pictures) {
+    hash = mixed(mixed(hash, picture.texture), picture.opacity);
+    hash = fingerprint(&picture.center, 3 * sizeof picture.center, hash);
+  }
+  hash = mixedFloats(hash, scene.sheets);
   hash = mixedFloats(hash, scene.overlay);
   hash = mixedFloats(hash, scene.proxy_balls);
   hash = mixedFloats(hash, scene.proxy_cones);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/frame.h"
 #include "camera.h"
 #include "part/part.h"
 
@@ -20,12 +21,24 @@ struct Rgba {
 };
 
 struct Scene {
-  /// A part's mesh; the GPU keeps it under its id.
+  /// A part's mesh in its frame; the GPU keeps it under its id.
   struct Body {
     uint64_t mesh_id = 0;
     std::shared_ptr<const Part> part;
+    Frame frame;
     Rgba color;
     bool selected = false;
+  };
+  /// A see-through rectangle: the plane that a stroke is drawn in.
+  struct Sheet {
+    Float3 center, x, y;  // x, y: from the centre to its sides
+    Rgba color;
+  };
+  /// A picture to draw after, behind everything.
+  struct Picture {
+    Float3 center, x, y;  // as of a Sheet
+    uint32_t texture = 0;
+    float opacity = 1;
   };
   /// A line with round ends, as wide on the screen as it says.
   struct Segment {
@@ -57,7 +70,9 @@ struct Scene {
 
   bool show_mesh = true, show_wireframe = false, show_shadow = false;
   Float3 low, high;  // box around the bodies
+  std::vector<Picture> pictures;
   std::vector<Body> bodies;
+  std::vector<Sheet> sheets;
   std::vector<Segment> overlay;  // straight skeletons
   std::vector<Ball> proxy_balls;
   std::vector<Cone> proxy_cones;

@@ -35,9 +35,9 @@ void DrawTool::move(const PointerEvent& event) {
   if (distance(event.position_px, first_px_) > slop_px(kind_)) is_stroke_ = true;
 }
 
-AddPart DrawTool::end() {
+std::vector<Vec2> DrawTool::end() {
   active_ = false;
-  return {std::move(points_)};
+  return std::move(points_);
 }
 
 std::vector<Vec2> DrawTool::previewPoints() const {
@@ -51,8 +51,9 @@ std::vector<Vec2> DrawTool::previewPoints() const {
 }
 
 void DrawTool::add(const PointerEvent& event) {
+  const auto [right, up, back] = camera_.axes();
   const Vec3 model = camera_.underPixel(event.position_px, size_);
-  points_.push_back({model.x, model.y});
+  points_.push_back({dot(right, model), dot(up, model)});
   pressures_.push_back(std::clamp(event.pressure, 0.0, 1.0));
 }
 

@@ -1,10 +1,9 @@
-// Pointer samples → a stroke in the plane of the drawing → AddPart.
+// Pointer samples → a stroke in a plane that faces the viewer.
 #pragma once
 
 #include <vector>
 
 #include "camera.h"
-#include "document/command.h"
 #include "input.h"
 
 namespace marrow {
@@ -18,12 +17,12 @@ class DrawTool {
   /// What the live preview is computed from at most, whatever the hand does.
   static constexpr size_t kPreviewPoints = 2000;
 
-  /// camera: the one whose drawing plane is mapped, the front view.
+  /// camera: the one that pointers are mapped by until the stroke ends.
   void begin(const PointerEvent& event, const Camera& camera, ViewSize size);
   void move(const PointerEvent& event);
   void cancel() { active_ = false; }
   /// Ends the stroke and gives it away.
-  AddPart end();
+  std::vector<Vec2> end();
 
   bool active() const { return active_; }
   /// The pointer has left the place where it went down: this is a stroke, not a click.
@@ -36,7 +35,10 @@ class DrawTool {
   /// How far the pointer has travelled, CSS pixels.
   double travelled_px() const { return travelled_px_; }
 
-  const std::vector<Vec2>& points() const { return points_; }  // model units
+  /// Model units along the camera's right and up directions, from the foot of the world's origin:
+  /// the same at whatever depth the plane lies.
+  const std::vector<Vec2>& points() const { return points_; }
+  Vec2 first_px() const { return first_px_; }
   /// At most kPreviewPoints of the points, evenly thinned.
   std::vector<Vec2> previewPoints() const;
   /// Pressure at point `index` of `count` evenly thinned ones, 0 … 1.

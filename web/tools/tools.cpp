@@ -10,7 +10,6 @@ constexpr double kStrokeIsYoung_ms = 250;
 constexpr double kStrokeIsShort_px = 40;
 // A hand rests on the glass while its pen is a little above it.
 constexpr double kPenIsNear_ms = 500;
-constexpr double kFrontEnough_rad = 1e-6;
 
 }  // namespace
 
@@ -24,7 +23,7 @@ Tools::Outcome Tools::pointer(const PointerEvent& event, UiState& ui, const Surr
       return move(event, ui, around);
     case PointerEvent::Type::up:
     case PointerEvent::Type::cancel:
-      return up(event, ui, around);
+      return up(event);
     case PointerEvent::Type::leave:
       break;
   }
@@ -39,7 +38,7 @@ void Tools::wheel(const WheelEvent& event, UiState& ui) {
   NavigateTool::wheel(event, ui.camera, ui.size);
 }
 
-bool Tools::cancelStroke() {
+bool Tools::cancelGesture() {
   const bool was_active = draw_.active();
   if (was_active) owners_[draw_.pointer()] = Owner::nobody;
   draw_.cancel();
@@ -86,19 +85,22 @@ Tools::Outcome Tools::down(const PointerEvent& event, UiState& ui, const Surroun
     owner = draw_.active() ? Owner::nobody : Owner::navigate;
     mode = event.button == Button::middle ? NavigateTool::Mode::pan : NavigateTool::Mode::orbit;
   } else if (draw_.active() && drawing_kind_ != event.kind) {
-    cancelStroke();  // the hand came down before the pen
+    cancelGesture();  // the hand came down before the pen
   } else if (draw_.active()) {
     owner = Owner::nobody;
   }
   owners_[event.id] = owner;
-  if (owner == Owner::draw) beginStroke(event, ui, around);
+  if (owner == Owner::draw) {
+    beginGesture(event, ui);
+    outcome.gesture = Gesture::begin;
+  }
   if (owner == Owner::navigate) {
     if (draw_.active()) {
       PointerEvent first = event;  // the finger that had begun to draw joins in from where it is
       first.id = draw_.pointer();
       first.position_px = draw_.last_px();
       draw_.cancel();
-      if (view_is_shown_) ui.camera = camera_at_start_;
+      outcome.gesture = Gesture::cancel;
       owners_[first.id] = Owner::navigate;
       navigate_.add(first, mode);
     }
@@ -108,31 +110,15 @@ Tools::Outcome Tools::down(const PointerEvent& event, UiState& ui, const Surroun
   return outcome;
 }
 
-void Tools::beginStroke(const PointerEvent& event, UiState& ui, const Surroundings& around) {
+void Tools::beginGesture(const PointerEvent& event, UiState& ui) {
   for (auto& [pointer, owner] : owners_) {
     if (owner == Owner::navigate) owner = Owner::nobody;
   }
   navigate_.clear();
-  camera_at_start_ = ui.glide.running() ? ui.glide.destination() : ui.camera;
-  Camera front = camera_at_start_;
-  if (front.angleFromFront() > kFrontEnough_rad) {
-    front = turnedTo(front, StandardView::front, around.pivot);
-  }
-  draw_.begin(event, front, ui.size);
-  drawing_kind_ = event.kind;
-  view_is_shown_ = false;
-}
-
-bool Tools::showDrawingView(UiState& ui, Vec3 pivot) {
-  if (view_is_shown_ || !draw_.isStroke()) return false;
-  view_is_shown_ = true;
+  if (ui.glide.running()) ui.camera = ui.glide.destination();
   ui.glide.stop();
-  if (ui.camera.angleFromFront() <= kFrontEnough_rad) {
-    ui.camera = draw_.camera();
-    return false;
-  }
-  ui.glide.start(ui.camera, draw_.camera(), pivot, ui.now_ms);
-  return true;
+  draw_.begin(event, ui.camera, ui.size);
+  drawing_kind_ = event.kind;
 }
 
 Tools::Outcome Tools::move(const PointerEvent& event, UiState& ui, const Surroundings& around) {
@@ -148,10 +134,7 @@ Tools::Outcome Tools::move(const PointerEvent& event, UiState& ui, const Surroun
       break;
     case Owner::draw:
       draw_.move(event);
-      // A finger may be the first of two: the view waits until it is clear that it draws.
-      if (drawing_kind_ != PointerKind::touch || !hasJustBegun(event.time_ms)) {
-        outcome.turns_to_front = showDrawingView(ui, around.pivot);
-      }
+      outcome.gesture = Gesture::move;
       break;
     case Owner::navigate:
       navigate_.move(event, ui.camera, around.pivot);
@@ -162,7 +145,7 @@ Tools::Outcome Tools::move(const PointerEvent& event, UiState& ui, const Surroun
   return outcome;
 }
 
-Tools::Outcome Tools::up(const PointerEvent& event, UiState& ui, const Surroundings& around) {
+Tools::Outcome Tools::up(const PointerEvent& event) {
   Outcome outcome;
   const auto found = owners_.find(event.id);
   if (found == owners_.end()) {
@@ -177,16 +160,10 @@ Tools::Outcome Tools::up(const PointerEvent& event, UiState& ui, const Surroundi
   if (owner != Owner::draw || !draw_.active()) return outcome;
   if (event.type == PointerEvent::Type::cancel) {
     draw_.cancel();
-    if (view_is_shown_) {
-      ui.glide.stop();
-      ui.camera = camera_at_start_;
-    }
-  } else if (draw_.isStroke()) {
-    outcome.turns_to_front = showDrawingView(ui, around.pivot);
-    outcome.command = draw_.end();
+    outcome.gesture = Gesture::cancel;
   } else {
-    draw_.cancel();
-    outcome.click_px = event.position_px;
+    outcome.gesture = draw_.isStroke() ? Gesture::end : Gesture::click;
+    if (outcome.gesture == Gesture::click) draw_.cancel();
   }
   return outcome;
 }

@@ -1,4 +1,4 @@
-// Who a pointer belongs to: a panel, the drawing tool or the camera.
+// Who a pointer belongs to: a panel, the tool in hand or the camera.
 #pragma once
 
 #include <functional>
@@ -19,24 +19,28 @@ struct Surroundings {
 
 /// A pointer belongs to whom it went down on until it goes up.
 ///
-/// Primary button, one finger, pen: draw; without moving: a click. Secondary button or Alt and
-/// drag: turn; middle: pan; two fingers: see NavigateTool. A second finger cancels a stroke that
-/// has just begun and is ignored by one that is under way; touches are ignored while a pen draws.
+/// Primary button, one finger, pen: the tool in hand; without moving: a click. Secondary button or
+/// Alt and drag: turn; middle: pan; two fingers: see NavigateTool. A second finger cancels what has
+/// just begun and is ignored by what is under way; touches are ignored while a pen draws.
 class Tools {
  public:
+  /// What the tool in hand is told. Between begin and end, click or cancel comes any number of
+  /// moves.
+  enum class Gesture : uint8_t { none, begin, move, end, click, cancel };
   struct Outcome {
-    bool to_panels = false;          // the panels are to have this event
-    bool turns_to_front = false;     // a stroke began in another view
-    std::optional<Command> command;  // a stroke is finished
-    std::optional<Vec2> click_px;    // a click on the canvas
+    bool to_panels = false;  // the panels are to have this event
+    Gesture gesture = Gesture::none;
   };
   Outcome pointer(const PointerEvent& event, UiState& ui, const Surroundings& around);
   void wheel(const WheelEvent& event, UiState& ui);
   /// To be called when a frame's input has been given.
   void settle(UiState& ui, Vec3 pivot) { navigate_.settle(ui.camera, ui.size, pivot); }
 
-  /// Gives up a stroke under way; whether there was one.
-  bool cancelStroke();
+  /// Gives up what the hand is doing; whether it was doing anything.
+  bool cancelGesture();
+  /// Takes the gesture's points away: it ends.
+  std::vector<Vec2> takePoints() { return draw_.end(); }
+  /// The way of the pointer that holds the tool.
   const DrawTool& drawing() const { return draw_; }
   bool navigating() const { return navigate_.active(); }
 
@@ -45,20 +49,16 @@ class Tools {
 
   Outcome down(const PointerEvent& event, UiState& ui, const Surroundings& around);
   Outcome move(const PointerEvent& event, UiState& ui, const Surroundings& around);
-  Outcome up(const PointerEvent& event, UiState& ui, const Surroundings& around);
+  Outcome up(const PointerEvent& event);
   Owner ownerOfTouch(const PointerEvent& event);
-  void beginStroke(const PointerEvent& event, UiState& ui, const Surroundings& around);
+  void beginGesture(const PointerEvent& event, UiState& ui);
   bool penIsNear(double time_ms) const;
-  /// Young or short enough to be the first finger of a gesture.
+  /// Young or short enough to be the first finger of two.
   bool hasJustBegun(double time_ms) const;
-  /// Turns the view to where the stroke is drawn, once; whether it was another one.
-  bool showDrawingView(UiState& ui, Vec3 pivot);
 
   DrawTool draw_;
   NavigateTool navigate_;
   std::map<int, Owner> owners_;
-  Camera camera_at_start_;      // where the view was when the stroke began
-  bool view_is_shown_ = false;  // the view has turned to where the stroke is drawn
   PointerKind drawing_kind_ = PointerKind::mouse;
   double last_pen_ms_ = -1e9;
 };

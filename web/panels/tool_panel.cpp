@@ -1,0 +1,104 @@
+// The tools, and how new strokes are placed.
+#include <array>
+#include <string>
+
+#include "document/symmetry.h"
+#include "icons.h"
+#include "panels/layout.h"
+#include "panels/panel.h"
+
+namespace marrow {
+namespace {
+
+struct ToolButton {
+  ToolKind tool;
+  const char* icon;
+  const char* tooltip;
+};
+
+const std::array<ToolButton, 4> kTools{{
+    {ToolKind::draw, kIconPencil, "Draw a part  (B)"},
+    {ToolKind::select, kIconMousePointer2,
+     "Select, move, turn and scale  (V)\nDrag a part to move it, drag beside it for a box."},
+    {ToolKind::contour, kIconSpline,
+     "Change an outline  (C)\nDrag one of its points, or draw over a stretch of it."},
+    {ToolKind::line, kIconAxis3d,
+     "Draw the line of symmetry  (L)\nA half outline drawn along it becomes a whole one."},
+}};
+
+char keyOf(ToolKind tool) {
+  switch (tool) {
+    case ToolKind::draw:
+      return 'b';
+    case ToolKind::select:
+      return 'v';
+    case ToolKind::contour:
+      return 'c';
+    case ToolKind::line:
+      return 'l';
+  }
+  return 0;
+}
+
+}  // namespace
+
+const char* toString(ToolKind tool) {
+  switch (tool) {
+    case ToolKind::draw:
+      return "draw";
+    case ToolKind::select:
+      return "select";
+    case ToolKind::contour:
+      return "contour";
+    case ToolKind::line:
+      return "line";
+  }
+  return "";
+}
+
+void drawToolPanel(const PanelInput& input, UiState& ui, Requests& requests) {
+  PanelBox box;
+  box.position = {margin(ui), 2 * margin(ui) + barHeight(ui)};
+  box.bar = true;
+  beginPanel("tools", box);
+  const float side = buttonSide(ui);
+  const bool two_columns = lowCanvas(ui);
+  int count = 0;
+  const auto next = [&] {
+    if (two_columns && count % 2 == 1) ImGui::SameLine();
+    ++count;
+  };
+  for (const ToolButton& button : kTools) {
+    next();
+    ButtonLook look{button.tooltip};
+    look.on = ui.tool == button.tool;
+    if (iconButton(toString(button.tool), button.icon, side, look)) {
+      requests.key = keyOf(button.tool);
+    }
+  }
+  if (!two_columns) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddLine({at.x + 6, at.y + 3}, {at.x + side - 6, at.y + 3},
+                                        Theme::kHairline);
+    ImGui::Dummy({side, 7});
+  }
+  next();
+  ButtonLook look{ui.symmetry ? "Symmetry is on: limbs get a twin on the other side  (M)"
+                              : "Symmetry is off: every stroke is one part  (M)"};
+  look.on = ui.symmetry;
+  if (iconButton("symmetry", kIconFlipHorizontal2, side, look)) requests.key = 'm';
+  next();
+  look = {ui.through_selected ? "New parts lie as deep as the selected ones"
+                              : "New parts begin on the surface they are drawn on.\nPress to draw "
+                                "as deep as the selected part instead, or hold Shift."};
+  look.on = ui.through_selected;
+  look.enabled = ui.through_selected || !ui.selection.empty();
+  if (iconButton("depth", kIconAlignHorizontalJustifyCenter, side, look)) {
+    ui.through_selected = !ui.through_selected;
+    requests.again = true;
+  }
+  (void)input;
+  endPanel();
+}
+
+}  // namespace marrow

@@ -1,0 +1,210 @@
+#include "tools/hand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "pick.h"
+
+namespace marrow {
+namespace {
+
+constexpr double kShortestLine_px = 20;
+constexpr double kNearlyStraight = 0.12;  // tangent of the angle to level or upright
+
+const PartSource* sourceOf(const std::string& id, const Evaluation& evaluation) {
+  for (const PlacedPart& placed : evaluation.placed()) {
+    if (placed.id == id) return evaluation.parts()[placed.source].source.get();
+  }
+  return nullptr;
+}
+
+/// The placed part with this id, or nothing.
+const PlacedPart* placedPart(const std::string& id, const Evaluation& evaluation) {
+  for (const PlacedPart& placed : evaluation.placed()) {
+    if (placed.id == id) return &placed;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<std::string> changeable(const Selection& selection, const Evaluation& evaluation) {
+  std::vector<std::string> ids;
+  for (const std::string& id : selection.ids) {
+    const PartSource* source = sourceOf(id, evaluation);
+    if (source && !source->locked && source->visible) ids.push_back(id);
+  }
+  return ids;
+}
+
+std::optional<Vec3> selectionPivot(const Selection& selection, const Evaluation& evaluation) {
+  Vec3 sum;
+  int count = 0;
+  for (const std::string& id : selection.ids) {
+    const PlacedPart* placed = placedPart(id, evaluation);
+    if (!placed) continue;
+    sum = sum + middleOf(evaluation.parts()[placed->source], placed->frame);
+    ++count;
+  }
+  if (count == 0) return std::nullopt;
+  return sum / count;
+}
+
+std::optional<Plane> planeOverLine(Vec2 a_px, Vec2 b_px, const Camera& camera, ViewSize size) {
+  Vec2 along{b_px.x - a_px.x, a_px.y - b_px.y};
+  if (length(along) < kShortestLine_px) return std::nullopt;
+  if (std::abs(along.x) < kNearlyStraight * std::abs(along.y)) along.x = 0;
+  if (std::abs(along.y) < kNearlyStraight * std::abs(along.x)) along.y = 0;
+  along = along / length(along);
+  const auto [right, up, back] = camera.axes();
+  Vec3 normal = right * along.y - up * along.x;
+  const double largest = std::max({normal.x, normal.y, normal.z});
+  if (largest < -std::min({normal.x, normal.y, normal.z})) normal = -normal;
+  const Vec3 through = camera.underPixel((a_px + b_px) / 2, size);
+  return Plane{normal, -dot(normal, through)};
+}
+
+void Hand::begin(const DrawTool& gesture, bool shift, UiState& ui, const World& world) {
+  cancel(ui);
+  shift_ = shift;
+  pressed_.clear();
+  from_px_ = to_px_ = gesture.first_px();
+  switch (ui.tool) {
+    case ToolKind::draw: {
+      mode_ = Mode::stroke;
+      const auto pivot = selectionPivot(ui.selection, world.evaluation);
+      const bool through_selected = (ui.through_selected || shift) && pivot;
+      place_.begin(from_px_, gesture.camera(), world.document, world.evaluation, ui,
+                   through_selected ? *pivot : world.ground, through_selected);
+      break;
+    }
+    case ToolKind::select: {
+      const auto ids = changeable(ui.selection, world.evaluation);
+      const auto pivot = selectionPivot(ui.selection, world.evaluation);
+      if (pivot && !ids.empty()) {
+        const Gizmo gizmo = layOutGizmo(*pivot, ui.camera, ui.size, ui.touch());
+        if (const auto handle = handleAt(gizmo, from_px_, ui.touch())) {
+          transform_.begin(handle->kind, handle->axis, ids, *pivot, from_px_, ui.camera, ui.size,
+                           false);
+          mode_ = Mode::transform;
+          break;
+        }
+      }
+      mode_ = Mode::box;
+      if (const auto hit = surfaceAt(from_px_, world.evaluation, ui.camera, ui.size)) {
+        const PlacedPart& placed = world.evaluation.placed()[hit->placed];
+        if (!world.evaluation.parts()[placed.source].source->locked) pressed_ = placed.id;
+      }
+      break;
+    }
+    case ToolKind::contour: {
+      const PlacedPart* placed = placedPart(ui.selection.primary(), world.evaluation);
+      if (!placed) break;
+      const EvaluatedPart& evaluated = world.evaluation.parts()[placed->source];
+      if (evaluated.source->locked || !evaluated.source->visible) break;
+      if (contour_.begin(from_px_, *placed, evaluated, ui.camera, ui.size, ui.touch())) {
+        mode_ = Mode::contour;
+      }
+      break;
+    }
+    case ToolKind::line:
+      mode_ = Mode::line;
+      break;
+  }
+}
+
+void Hand::move(const DrawTool& gesture, UiState& ui, const World& world) {
+  to_px_ = gesture.last_px();
+  if (!gesture.isStroke()) return;
+  if (mode_ == Mode::box && !pressed_.empty() && !shift_) {
+    if (!ui.selection.has(pressed_)) ui.selection.set(pressed_);
+    const auto pivot = selectionPivot(ui.selection, world.evaluation);
+    transform_.begin(TransformKind::move, TransformAxis::none,
+                     changeable(ui.selection, world.evaluation), pivot.value_or(Vec3{}), from_px_,
+                     ui.camera, ui.size, false);
+    mode_ = Mode::transform;
+  }
+  if (mode_ == Mode::transform) {
+    transform_.move(to_px_);
+    showTransform(ui);
+  } else if (mode_ == Mode::contour) {
+    contour_.move(to_px_);
+    ui.edit.reset();
+    if (auto command = contour_.command()) ui.edit = PendingEdit{std::move(*command)};
+  }
+}
+
+std::optional<Command> Hand::end(const DrawTool& gesture, UiState& ui, const World& world) {
+  move(gesture, ui, world);
+  const Mode mode = std::exchange(mode_, Mode::idle);
+  switch (mode) {
+    case Mode::transform:
+      transform_.end();
+      if (transform_.changed()) return transform_.command();
+      break;
+    case Mode::contour:
+      contour_.end();
+      if (auto command = contour_.command()) return *command;
+      break;
+    case Mode::box: {
+      if (!shift_) ui.selection.clear();
+      for (std::string& id : partsInBox(from_px_, to_px_, world.evaluation, ui.camera, ui.size)) {
+        if (!ui.selection.has(id)) ui.selection.ids.push_back(std::move(id));
+      }
+      break;
+    }
+    case Mode::line:
+      if (const auto plane = planeOverLine(from_px_, to_px_, ui.camera, ui.size)) {
+        ui.symmetry = true;
+        ui.tool = ToolKind::draw;
+        return SetSymmetry{plane};
+      }
+      break;
+    case Mode::stroke:
+    case Mode::idle:
+      break;
+  }
+  return std::nullopt;
+}
+
+void Hand::cancel(UiState& ui) {
+  if (mode_ == Mode::transform || mode_ == Mode::contour) ui.edit.reset();
+  transform_.end();
+  contour_.end();
+  mode_ = Mode::idle;
+}
+
+bool Hand::beginByKey(TransformKind kind, Vec2 pointer_px, UiState& ui, const World& world) {
+  const auto ids = changeable(ui.selection, world.evaluation);
+  const auto pivot = selectionPivot(ui.selection, world.evaluation);
+  if (ids.empty() || !pivot) return false;
+  transform_.begin(kind, TransformAxis::none, ids, *pivot, pointer_px, ui.camera, ui.size, true);
+  mode_ = Mode::transform;
+  return true;
+}
+
+void Hand::follow(Vec2 pointer_px, UiState& ui) {
+  transform_.move(pointer_px);
+  showTransform(ui);
+}
+
+bool Hand::key(char character, UiState& ui) {
+  if (mode_ != Mode::transform || !transform_.key(character)) return false;
+  showTransform(ui);
+  return true;
+}
+
+std::optional<Command> Hand::finishByKey(UiState& ui) {
+  mode_ = Mode::idle;
+  transform_.end();
+  ui.edit.reset();
+  if (!transform_.changed()) return std::nullopt;
+  return transform_.command();
+}
+
+void Hand::showTransform(UiState& ui) {
+  if (transform_.changed()) ui.edit = PendingEdit{transform_.command()};
+}
+
+}  // namespace marrow
