@@ -46,7 +46,7 @@ Result<uint64_t> App::open(const std::string& text, const std::string& file, con
   ui_.glide.stop();
   ui_.camera.yaw_rad = 0;
   ui_.camera.pitch_rad = 0;
-  frames_all_next_ = true;
+  frame_all_next_ = true;
   return document().drawing;
 }
 
