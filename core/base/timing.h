@@ -14,6 +14,22 @@ using Clock = double (*)();
 struct Timings {
   std::vector<std::pair<const char*, double>> stages_ms;  // in the order they ran
   double total_ms = 0;
+
+  /// Another's stages, each to the one of the same name.
+  void add(const Timings& other) {
+    for (const auto& [stage, ms] : other.stages_ms) addStage(stage, ms);
+    total_ms += other.total_ms;
+  }
+  void addStage(const char* stage, double ms) {
+    const auto same = std::find_if(stages_ms.begin(), stages_ms.end(), [&](const auto& known) {
+      return std::strcmp(known.first, stage) == 0;
+    });
+    if (same != stages_ms.end()) {
+      same->second += ms;
+    } else {
+      stages_ms.emplace_back(stage, ms);
+    }
+  }
 };
 
 /// Adds the time between its laps to `timings`.
@@ -25,14 +41,7 @@ class Stopwatch {
   /// Ends the stage that began at the last lap; a stage that runs again adds to its time.
   void lap(const char* stage) {
     const double now_ms = clock_ ? clock_() : 0;
-    auto& stages = timings_.stages_ms;
-    const auto same = std::find_if(stages.begin(), stages.end(),
-                                   [&](const auto& s) { return std::strcmp(s.first, stage) == 0; });
-    if (same != stages.end()) {
-      same->second += now_ms - lap_ms_;
-    } else {
-      stages.emplace_back(stage, now_ms - lap_ms_);
-    }
+    timings_.addStage(stage, now_ms - lap_ms_);
     timings_.total_ms = now_ms - start_ms_;
     lap_ms_ = now_ms;
   }

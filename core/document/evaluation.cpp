@@ -1,8 +1,11 @@
 #include "document/evaluation.h"
 
+#include <algorithm>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+
+#include "rig/connect.h"
 
 namespace marrow {
 
@@ -14,13 +17,17 @@ void Evaluation::update(const Document& document) {
   for (const EvaluatedPart& part : parts_) before.emplace(part.source->id, &part);
 
   recomputed_ = 0;
+  timings_ = {};
   std::vector<EvaluatedPart> parts;
   parts.reserve(document.parts.size());
+  bool same = rig_id_ > 0 && parts_.size() == document.parts.size() && refine_ == document.refine;
   for (const auto& source : document.parts) {
+    same = same && parts_[parts.size()].source == source;
     const auto found = before.find(source->id);
     parts.push_back(evaluate(source, found == before.end() ? nullptr : found->second));
   }
   parts_ = std::move(parts);
+  if (!same) updateRig(document);
 }
 
 EvaluatedPart Evaluation::evaluate(const std::shared_ptr<const PartSource>& source,
@@ -29,26 +36,14 @@ EvaluatedPart Evaluation::evaluate(const std::shared_ptr<const PartSource>& sour
   if (source == before->source) return *before;
   if (source->stroke != before->source->stroke) return rebuild(source);
 
-  const bool new_joints = epsilonS(*source) != epsilonS(*before->source);
-  const bool new_thickness = source->thickness != before->source->thickness;
   EvaluatedPart next = *before;
   next.source = source;
-  if (!new_joints && !new_thickness) return next;
-  if (!before->part) return rebuild(source);
-
+  if (source->thickness == before->source->thickness || !before->part) return next;
   ++recomputed_;
+  next.mesh_id = next_id_++;
   next.skeleton_id = next_id_++;
-  if (new_joints) {
-    JointOptions joints = options_.joints;
-    joints.epsilon_s = epsilonS(*source);
-    auto part = withJoints(*next.part, joints, clock_);
-    next.part = part ? std::make_shared<const Part>(std::move(*part)) : nullptr;
-    if (!part) next.error = part.error();
-  }
-  if (new_thickness && next.part) {
-    next.mesh_id = next_id_++;
-    next.part = std::make_shared<const Part>(withThickness(*next.part, source->thickness, clock_));
-  }
+  next.part = std::make_shared<const Part>(withThickness(*next.part, source->thickness, clock_));
+  timings_.add(next.part->timings);
   return next;
 }
 
@@ -59,10 +54,10 @@ EvaluatedPart Evaluation::rebuild(const std::shared_ptr<const PartSource>& sourc
   next.mesh_id = next_id_++;
   next.skeleton_id = next_id_++;
   PartOptions options = options_;
-  options.joints.epsilon_s = epsilonS(*source);
   options.inflate.thickness = source->thickness;
   auto part = buildPart(source->stroke, options, clock_);
   if (part) {
+    timings_.add(part->timings);
     next.part = std::make_shared<const Part>(std::move(*part));
   } else {
     next.error = part.error();
@@ -70,8 +65,30 @@ EvaluatedPart Evaluation::rebuild(const std::shared_ptr<const PartSource>& sourc
   return next;
 }
 
-double Evaluation::epsilonS(const PartSource& source) const {
-  return source.epsilon_s.value_or(options_.joints.epsilon_s);
+void Evaluation::updateRig(const Document& document) {
+  placed_ = placedParts(document);
+  refine_ = document.refine;
+  Timings timings;
+  Stopwatch watch(clock_, timings);
+  const std::vector<RigPart> parts = rigParts();
+  const std::vector<Connection> connections = connectParts(parts);
+  watch.lap("connection");
+  Rig rig = refineRig(parts, connections, refine_);
+  watch.lap("refinement");
+  timings_.add(timings);
+  if (rig_id_ > 0 && rig == rig_) return;
+  rig_ = std::move(rig);
+  rig_id_ = next_id_++;
+}
+
+std::vector<RigPart> Evaluation::rigParts() const {
+  std::vector<RigPart> parts;
+  parts.reserve(placed_.size());
+  for (const PlacedPart& placed : placed_) {
+    const EvaluatedPart& part = parts_[placed.source];
+    parts.push_back({&placed, part.source.get(), part.part.get()});
+  }
+  return parts;
 }
 
 }  // namespace marrow

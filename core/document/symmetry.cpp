@@ -10,12 +10,11 @@ namespace marrow {
 namespace {
 
 constexpr double kParallel = 0.97;      // of the cosine between normals: 14°
-constexpr double kBehind = 1. / 3;      // of the inscribed radius
+constexpr double kBehind = 0.5;         // of area ÷ perimeter: half the half width of a limb
 constexpr double kAcross = 1. / 8;      // of the extent
 constexpr double kUpright = 1e-3;       // of the cosine between normals
 constexpr double kEndsApart = 1. / 20;  // of the stroke's length
-constexpr int kCells = 10;              // across the box, in the search for the inscribed circle
-constexpr int kRounds = 4;
+constexpr double kLengthy = 1.2;        // wider than high by this factor: seen from the side
 
 struct Box {
   Vec2 low, high;
@@ -32,28 +31,6 @@ Box boxOf(const std::vector<Vec2>& points) {
   return box;
 }
 
-/// Of the largest circle in the polygon, to a few hundredths: looked for on a lattice, and around
-/// the best place on finer ones.
-double inscribedRadius(const std::vector<Vec2>& polygon) {
-  Box box = boxOf(polygon);
-  double best = 0;
-  for (int round = 0; round < kRounds; ++round) {
-    const Vec2 cell = box.size() / kCells;
-    Vec2 place = box.middle();
-    for (int i = 0; i < kCells; ++i) {
-      for (int j = 0; j < kCells; ++j) {
-        const Vec2 p = box.low + Vec2{cell.x * (i + 0.5), cell.y * (j + 0.5)};
-        const double radius = contains(polygon, p) ? distanceToBorder(polygon, p) : 0;
-        if (radius <= best) continue;
-        best = radius;
-        place = p;
-      }
-    }
-    box = {place - cell, place + cell};
-  }
-  return best;
-}
-
 }  // namespace
 
 std::optional<Plane> symmetryPlane(const Document& document) {
@@ -61,7 +38,7 @@ std::optional<Plane> symmetryPlane(const Document& document) {
   if (document.parts.empty() || document.parts[0]->stroke.empty()) return std::nullopt;
   const PartSource& body = *document.parts[0];
   const Box box = boxOf(body.stroke);
-  const bool from_side = box.size().x > box.size().y;
+  const bool from_side = box.size().x > kLengthy * box.size().y;
   const Vec3 normal = from_side ? body.frame.z() : body.frame.x;
   const auto plane = normalised({normal, 0});
   if (!plane) return std::nullopt;
@@ -72,7 +49,7 @@ bool isOffPlane(const std::vector<Vec2>& stroke, const Frame& frame, const Plane
   if (stroke.empty()) return false;
   if (std::fabs(dot(frame.z(), plane.normal)) >= kParallel * frame.scale()) {
     const double away = std::fabs(distance(plane, frame.toWorld(boxOf(stroke).middle())));
-    return away > kBehind * inscribedRadius(stroke) * frame.scale();
+    return away * perimeter(stroke) > kBehind * std::fabs(signedArea(stroke)) * frame.scale();
   }
   double low = 0, high = 0;
   for (size_t i = 0; i < stroke.size(); ++i) {

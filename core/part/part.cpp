@@ -19,17 +19,6 @@ bool isInside(const Axis& axis, const std::vector<Vec2>& outline) {
   });
 }
 
-Result<PartSkeleton> jointsOf(const Part& part, const JointOptions& options) {
-  return placeJoints(part.outline.polygon, part.axis, part.outline.scale(), options,
-                     &part.outline.dense);
-}
-
-void setSkeleton(Part& part, PartSkeleton skeleton) {
-  part.skeleton = std::move(skeleton);
-  part.inscribed_radii.clear();
-  for (const auto& joint : part.skeleton.joints) part.inscribed_radii.push_back(joint.radius);
-}
-
 /// Scales the mesh's depth. Normals and proxy have to be redone then.
 void setThickness(Part& part, double thickness) {
   for (size_t i = 0; i < part.depths.size(); ++i) {
@@ -85,9 +74,11 @@ Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& optio
     outlining.tolerance /= 4;
   }
 
-  auto skeleton = jointsOf(part, options.joints);
+  auto skeleton = placeJoints(part.outline.polygon, part.axis, part.outline.scale(), options.joints,
+                              &part.outline.dense);
   if (!skeleton) return skeleton.error();
-  setSkeleton(part, std::move(*skeleton));
+  part.skeleton = std::move(*skeleton);
+  for (const auto& joint : part.skeleton.joints) part.inscribed_radii.push_back(joint.radius);
   watch.lap("joints");
 
   auto flat = triangulate(part.outline.dense, options.triangulation);
@@ -108,21 +99,13 @@ Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& optio
 
   setProxy(part);
   watch.lap("proxy");
-  return part;
-}
 
-Result<Part> withJoints(const Part& part, const JointOptions& options, Clock clock) {
-  Timings timings;
-  Stopwatch watch(clock, timings);
-  auto skeleton = jointsOf(part, options);
-  if (!skeleton) return skeleton.error();
-  Part next = part;
-  setSkeleton(next, std::move(*skeleton));
-  watch.lap("joints");
-  setProxy(next);
-  watch.lap("proxy");
-  next.timings = std::move(timings);
-  return next;
+  for (auto& branch : part.skeleton.branches) {
+    completeLevels(branch, part.outline.polygon, part.outline.scale(), options.joints,
+                   &part.outline.dense);
+  }
+  watch.lap("levels");
+  return part;
 }
 
 Part withThickness(const Part& part, double thickness, Clock clock) {

@@ -26,18 +26,18 @@ struct PartOptions {
   InflateOptions inflate;
 };
 
-/// Everything derived from one stroke, in the plane z = 0 of the front view.
+/// Everything derived from one stroke, in its own plane z = 0.
 struct Part {
   Outline outline;
   StraightSkeleton straight_skeleton;
   Axis axis;
-  PartSkeleton skeleton;  // joint radii are the proxy's
+  PartSkeleton skeleton;  // joint radii are the proxy's; levels are complete
   Mesh mesh;
   std::vector<Vec3> normals;            // one per mesh vertex
   std::vector<double> depths;           // z of each mesh vertex at thickness 1
   std::vector<double> inscribed_radii;  // one per joint
   Timings timings;  // stages: outline, straightSkeleton, axis, joints, triangulation,
-                    // inflation, normals, proxy
+                    // inflation, normals, proxy, levels
 
   double inscribedRadius() const;  // largest time of the straight skeleton
 };
@@ -49,9 +49,8 @@ PartOptions previewOptions();
 Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& options = {},
                        Clock clock = nullptr);
 
-/// What buildPart gives with other joint options or another thickness, bit for bit, by redoing only
-/// what hangs on them; `timings` has the stages that ran. Errors: those of placeJoints.
-Result<Part> withJoints(const Part& part, const JointOptions& options, Clock clock = nullptr);
+/// What buildPart gives with another thickness, bit for bit, by redoing only what hangs on it;
+/// `timings` has the stages that ran.
 Part withThickness(const Part& part, double thickness, Clock clock = nullptr);
 
 }  // namespace marrow

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/frame.h"
@@ -32,6 +33,9 @@ enum class AttachTest : uint8_t {
 const char* toString(AttachEvent event);
 const char* toString(AttachTest test);
 
+/// How settings and ids name the branch of a part: "b1" for PartSkeleton::branches[1].
+std::string branchKey(uint32_t branch);
+
 /// Where a child's skeleton hangs on its parent's. Indices: of placed parts, of joints and bones of
 /// Part::skeleton.
 struct Connection {
@@ -44,6 +48,7 @@ struct Connection {
   double along = 0;           // of a split event: 0 … 1 from the bone's first joint to its second
   Vec3 child_position, parent_position;  // world
 };
+bool operator==(const Connection& a, const Connection& b);
 
 /// The skeleton of everything: a forest.
 struct Rig {
@@ -65,5 +70,7 @@ struct Rig {
   /// Placed parts without bones of their own, each with the joint that carries it, or −1.
   std::vector<std::pair<uint32_t, int32_t>> carried;
 };
+bool operator==(const Rig::Joint& a, const Rig::Joint& b);
+bool operator==(const Rig& a, const Rig& b);
 
 }  // namespace marrow

@@ -224,33 +224,66 @@ std::vector<BranchSample> sampleBranch(const Region& region, const std::vector<V
   return samples;
 }
 
-std::vector<size_t> boundedDp(const Region& region, const std::vector<BranchSample>& samples,
-                              const BoundedDpOptions& options) {
+std::vector<double> branchLevels(const Region& region, const std::vector<BranchSample>& samples,
+                                 const BoundedDpOptions& options) {
+  // An interval between two samples, and the one that it is a piece of.
   struct Interval {
     size_t first, last;
-    double epsilon;
+    double epsilon;  // that it is measured with
+    size_t parent;   // in `divided`
   };
-  std::vector<size_t> kept{0};
-  std::vector<Interval> todo{{0, samples.size() - 1, options.epsilon}};
+  struct Divided {
+    double error;
+    bool fits;
+    size_t parent;
+  };
+  constexpr size_t kNone = std::numeric_limits<size_t>::max();
+  constexpr double kAlways = std::numeric_limits<double>::infinity();
+  const double shrink = std::clamp(options.shrink, 0.0, 1.0);
+  const double floor = std::isnan(options.epsilon) ? kAlways : options.epsilon;
+
+  std::vector<double> levels(samples.size());
+  levels.front() = levels.back() = kAlways;
+  std::vector<Divided> divided;
+  std::vector<Interval> todo{{0, samples.size() - 1, floor, kNone}};
   while (!todo.empty()) {
-    Interval interval = todo.back();
+    const Interval interval = todo.back();
     todo.pop_back();
-    if (interval.last - interval.first > 1) {
-      const Split split =
-          largestError(samples, interval.first, interval.last, options.shape_weight);
-      bool divide = split.error > interval.epsilon;
-      if (!divide && !boneFits(region, samples, interval.first, interval.last)) {
-        divide = true;
-        interval.epsilon = std::max(split.error, interval.epsilon * options.shrink);
-      }
-      if (divide) {
-        todo.push_back({split.last, interval.last, interval.epsilon});
-        if (split.first < split.last) todo.push_back({split.first, split.last, interval.epsilon});
-        todo.push_back({interval.first, split.first, interval.epsilon});
-        continue;
+    if (interval.last - interval.first < 2) continue;
+    const Split split = largestError(samples, interval.first, interval.last, options.shape_weight);
+    const bool fits = boneFits(region, samples, interval.first, interval.last);
+    double epsilon = interval.epsilon;
+    if (!(split.error > epsilon)) {
+      if (fits) continue;
+      epsilon = std::max(split.error, epsilon * shrink);
+    }
+    // The largest threshold of the whole branch with which this interval is divided.
+    double level = fits ? split.error : kAlways;
+    for (size_t i = interval.parent; i != kNone; i = divided[i].parent) {
+      if (divided[i].fits) {
+        level = std::min(level, divided[i].error);
+      } else if (level > divided[i].error) {
+        level /= shrink;
       }
     }
-    kept.push_back(interval.last);
+    // Rounding must not lose what is kept.
+    if (!(level > floor)) level = std::nextafter(floor, kAlways);
+    levels[split.first] = levels[split.last] = level;
+    divided.push_back({split.error, fits, interval.parent});
+    const size_t self = divided.size() - 1;
+    todo.push_back({split.last, interval.last, epsilon, self});
+    if (split.first < split.last) todo.push_back({split.first, split.last, epsilon, self});
+    todo.push_back({interval.first, split.first, epsilon, self});
+  }
+  return levels;
+}
+
+std::vector<size_t> boundedDp(const Region& region, const std::vector<BranchSample>& samples,
+                              const BoundedDpOptions& options) {
+  const std::vector<double> levels = branchLevels(region, samples, options);
+  std::vector<size_t> kept;
+  for (size_t i = 0; i < levels.size(); ++i) {
+    if (isKept(levels[i], options.epsilon)) kept.push_back(i);
   }
   return kept;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "base/vec.h"
@@ -47,5 +48,14 @@ struct BoundedDpOptions {
 /// larger start threshold can end with more of them.)
 std::vector<size_t> boundedDp(const Region& region, const std::vector<BranchSample>& samples,
                               const BoundedDpOptions& options);
+
+/// For all thresholds at once: one level per sample, model units. A sample is kept by boundedDp
+/// where epsilon is below its level, and always where that is infinite (the ends; what a bone needs
+/// to stay inside). Only levels above options.epsilon are told apart, the others are 0.
+std::vector<double> branchLevels(const Region& region, const std::vector<BranchSample>& samples,
+                                 const BoundedDpOptions& options);
+inline bool isKept(double level, double epsilon) {
+  return level > epsilon || level == std::numeric_limits<double>::infinity();
+}
 
 }  // namespace marrow

@@ -1,6 +1,9 @@
 #include "skeleton/joints.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "skeleton/bounded_dp.h"
 #include "sketch/polygon.h"
@@ -10,13 +13,14 @@ namespace {
 
 constexpr double kSampleStep = 10;  // units at the reference perimeter
 
+BoundedDpOptions scaled(const JointOptions& options, double scale) {
+  return {options.epsilon_s * scale, options.shape_weight, options.shrink};
+}
+
 class Placement {
  public:
   Placement(const Region& region, const Axis& axis, double scale, const JointOptions& options)
-      : region_(region), axis_(axis), step_(kSampleStep * scale) {
-    dp_.epsilon = options.epsilon_s * scale;
-    dp_.shape_weight = options.shape_weight;
-    dp_.shrink = options.shrink;
+      : region_(region), axis_(axis), step_(kSampleStep * scale), dp_(scaled(options, scale)) {
     neighbours_.resize(axis.points.size());
     for (const auto& edge : axis.edges) {
       neighbours_[edge[0]].push_back(edge[1]);
@@ -60,23 +64,40 @@ class Placement {
     return branch;
   }
 
-  void addBones(const std::vector<uint32_t>& branch, uint32_t from, uint32_t to) {
-    // Along a single edge the inscribed radius is linear: one bone says it all.
-    if (branch.size() == 2) {
-      result_.bones.push_back({from, to});
-      return;
+  void addBones(const std::vector<uint32_t>& line, uint32_t from, uint32_t to) {
+    PartSkeleton::Branch branch;
+    branch.first_bone = static_cast<uint32_t>(result_.bones.size());
+    branch.joints.push_back(from);
+    if (line.size() == 2) {
+      // Along a single edge the inscribed radius is linear: one bone says it all.
+      const Vec2 a = axis_.points[line[0]], b = axis_.points[line[1]];
+      branch.samples.resize(2);
+      branch.samples[0].point = a;
+      branch.samples[0].radius = result_.joints[from].radius;
+      branch.samples[1].point = b;
+      branch.samples[1].radius = result_.joints[to].radius;
+      branch.samples[1].along = distance(a, b);
+      branch.levels.assign(2, std::numeric_limits<double>::infinity());
+    } else {
+      std::vector<Vec2> points;
+      for (const uint32_t i : line) points.push_back(axis_.points[i]);
+      branch.samples = sampleBranch(region_, points, step_);
+      branch.levels = branchLevels(region_, branch.samples, dp_);
+      branch.level_floor = dp_.epsilon;
     }
-    std::vector<Vec2> points;
-    for (const uint32_t i : branch) points.push_back(axis_.points[i]);
-    const auto samples = sampleBranch(region_, points, step_);
-    const auto kept = boundedDp(region_, samples, dp_);
-    uint32_t last = from;
-    for (size_t k = 1; k + 1 < kept.size(); ++k) {
-      const uint32_t joint = addJoint(samples[kept[k]].point, samples[kept[k]].radius);
-      result_.bones.push_back({last, joint});
-      last = joint;
+    const auto& samples = branch.samples;
+    branch.at.push_back(0);
+    for (uint32_t k = 1; k + 1 < samples.size(); ++k) {
+      if (!isKept(branch.levels[k], dp_.epsilon)) continue;
+      branch.joints.push_back(addJoint(samples[k].point, samples[k].radius));
+      branch.at.push_back(k);
     }
-    result_.bones.push_back({last, to});
+    branch.joints.push_back(to);
+    branch.at.push_back(static_cast<uint32_t>(samples.size() - 1));
+    for (size_t k = 0; k + 1 < branch.joints.size(); ++k) {
+      result_.bones.push_back({branch.joints[k], branch.joints[k + 1]});
+    }
+    result_.branches.push_back(std::move(branch));
   }
 
   void setKinds() {
@@ -121,6 +142,21 @@ Result<PartSkeleton> placeJoints(const std::vector<Vec2>& polygon, const Axis& a
   }
   if (!std::isfinite(scale) || scale < 0) return Status::skeletonFailed;
   return Placement({polygon, outline}, axis, scale, options).run();
+}
+
+void completeLevels(PartSkeleton::Branch& branch, const std::vector<Vec2>& polygon, double scale,
+                    const JointOptions& options, const std::vector<Vec2>* outline) {
+  if (branch.level_floor <= 0) return;
+  BoundedDpOptions dp = scaled(options, scale);
+  dp.epsilon = 0;
+  std::vector<double> levels = branchLevels({polygon, outline}, branch.samples, dp);
+  // What is known already stays to the last bit; the rest lies below.
+  for (size_t i = 0; i < levels.size(); ++i) {
+    levels[i] = branch.levels[i] > branch.level_floor ? branch.levels[i]
+                                                      : std::min(levels[i], branch.level_floor);
+  }
+  branch.levels = std::move(levels);
+  branch.level_floor = 0;
 }
 
 }  // namespace marrow

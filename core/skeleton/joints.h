@@ -8,6 +8,7 @@
 #include "base/result.h"
 #include "base/vec.h"
 #include "skeleton/axis.h"
+#include "skeleton/bounded_dp.h"
 
 namespace marrow {
 
@@ -31,8 +32,21 @@ struct PartSkeleton {
     Vec2 position;
     double radius;  // of the ball there, model units; the inscribed radius until the proxy sets it
   };
-  std::vector<Joint> joints;
+  /// The way from one terminal or junction to the next, and what it can be simplified to.
+  struct Branch {
+    std::vector<uint32_t> joints;       // from end to end
+    uint32_t first_bone = 0;            // its bones, joints.size() − 1 of them, are in its order
+    std::vector<BranchSample> samples;  // at least the two ends
+    std::vector<uint32_t> at;           // sample of each joint
+    std::vector<double> levels;         // one per sample, see branchLevels; not told apart at and
+                                        // below `level_floor`
+    double level_floor = 0;
+
+    double length() const { return samples.back().along; }
+  };
+  std::vector<Joint> joints;                   // terminals and junctions first, then the sleeves
   std::vector<std::array<uint32_t, 2>> bones;  // pairs of joint indices
+  std::vector<Branch> branches;
 };
 
 /// scale: what epsilon_s is multiplied by, Outline::scale().
@@ -42,5 +56,10 @@ struct PartSkeleton {
 Result<PartSkeleton> placeJoints(const std::vector<Vec2>& polygon, const Axis& axis, double scale,
                                  const JointOptions& options = {},
                                  const std::vector<Vec2>* outline = nullptr);
+
+/// Tells all levels of a branch apart, for thresholds below the one that placed its joints. The
+/// other arguments are those of placeJoints.
+void completeLevels(PartSkeleton::Branch& branch, const std::vector<Vec2>& polygon, double scale,
+                    const JointOptions& options = {}, const std::vector<Vec2>* outline = nullptr);
 
 }  // namespace marrow

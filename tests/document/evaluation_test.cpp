@@ -6,6 +6,7 @@
 #include "document/command.h"
 #include "document/history.h"
 #include "support/catch.h"
+#include "support/creatures.h"
 #include "support/drawings.h"
 
 using namespace marrow;
@@ -51,6 +52,12 @@ void requireFresh(const Evaluation& evaluation, const Document& document) {
     REQUIRE(ours.error.status == theirs.error.status);
     if (ours.part) REQUIRE(samePart(*ours.part, *theirs.part));
   }
+  REQUIRE(evaluation.placed().size() == fresh.placed().size());
+  for (size_t i = 0; i < fresh.placed().size(); ++i) {
+    REQUIRE(evaluation.placed()[i].id == fresh.placed()[i].id);
+    REQUIRE(evaluation.placed()[i].frame == fresh.placed()[i].frame);
+  }
+  REQUIRE(evaluation.rig() == fresh.rig());
 }
 
 std::set<std::string> stages(const Part& part) {
@@ -104,7 +111,7 @@ TEST_CASE("evaluation: a new part leaves the others alone", "[evaluation]") {
   evaluation.update(document);
   REQUIRE(evaluation.recomputed() == 1);
   REQUIRE(evaluation.parts()[1].part == before[1].part);
-  document = with(document, DeletePart{"part-1"});
+  document = with(document, DeleteParts{{"part-1"}});
   evaluation.update(document);
   REQUIRE(evaluation.recomputed() == 0);
   REQUIRE(evaluation.parts()[0].part == before[1].part);
@@ -115,7 +122,7 @@ TEST_CASE("evaluation: colour and name compute nothing", "[evaluation]") {
   Evaluation evaluation;
   evaluation.update(document);
   const auto before = evaluation.parts();
-  document = with(document, SetColor{"part-2", {1, 2, 3}});
+  document = with(document, SetColor{{"part-2"}, {1, 2, 3}});
   document = with(document, RenamePart{"part-1", "Belly"});
   evaluation.update(document);
   REQUIRE(evaluation.recomputed() == 0);
@@ -130,7 +137,7 @@ TEST_CASE("evaluation: thickness redoes neither skeleton nor triangulation", "[e
   Evaluation evaluation;
   evaluation.update(document);
   const auto before = evaluation.parts();
-  document = with(document, SetThickness{"part-2", 2});
+  document = with(document, SetThickness{{"part-2"}, 2});
   evaluation.update(document);
   REQUIRE(evaluation.recomputed() == 1);
   const EvaluatedPart& thick = evaluation.parts()[1];
@@ -139,27 +146,71 @@ TEST_CASE("evaluation: thickness redoes neither skeleton nor triangulation", "[e
   requireFresh(evaluation, document);
 }
 
-TEST_CASE("evaluation: simplifying redoes joints and proxy alone", "[evaluation]") {
-  Document document = drawnDocument(2);
+TEST_CASE("evaluation: placing and refining build no part anew", "[evaluation]") {
+  Document document = drawnDocument(3);
   Evaluation evaluation;
   evaluation.update(document);
   const auto before = evaluation.parts();
-  document = with(document, SetSimplify{"part-1", 40.0});
-  evaluation.update(document);
-  REQUIRE(evaluation.recomputed() == 1);
-  const EvaluatedPart& simple = evaluation.parts()[0];
-  REQUIRE(stages(*simple.part) == std::set<std::string>{"joints", "proxy"});
-  REQUIRE(simple.mesh_id == before[0].mesh_id);
-  REQUIRE(simple.skeleton_id != before[0].skeleton_id);
-  requireFresh(evaluation, document);
+  const auto& simplify = &Refinement::simplify;
+  const std::vector<Command> commands = {
+      TransformParts{{"part-2"}, Affine{{0, 2, 0}, {-2, 0, 0}, {0, 0, 2}, {5, 6, 7}}},
+      SetMirror{{"part-3"}, Plane{{1, 0, 0}, -300}},
+      SetRefinement{{"part-1"}, "", simplify, 40.0},
+      SetRefinement{{"part-1"}, "b0", simplify, 1.0},
+      SetRefinement{{}, "", &Refinement::merge, 100.0},
+      SetSkeleton{{"part-3"}, false},
+      SetAttachment{"part-2", Attachment{}},
+      SetVisible{{"part-1"}, false},
+  };
+  for (const Command& command : commands) {
+    document = with(document, command);
+    evaluation.update(document);
+    REQUIRE(evaluation.recomputed() == 0);
+    requireFresh(evaluation, document);
+  }
+  for (size_t i = 0; i < 3; ++i) REQUIRE(evaluation.parts()[i].part == before[i].part);
+  REQUIRE(evaluation.placed().size() == 4);
 }
 
-TEST_CASE("evaluation: an explicit default simplification computes nothing", "[evaluation]") {
-  Document document = drawnDocument(1);
+TEST_CASE("evaluation: the rig's id changes when the rig does, and never comes back",
+          "[evaluation]") {
+  const Document first = drawnDocument(3);
+  Evaluation evaluation;
+  evaluation.update(first);
+  std::set<uint64_t> ids{evaluation.rigId()};
+  const auto changes = [&](const Document& document) {
+    evaluation.update(document);
+    return ids.insert(evaluation.rigId()).second;
+  };
+  REQUIRE_FALSE(changes(first));
+  REQUIRE_FALSE(changes(with(first, SetColor{{"part-2"}, {1, 2, 3}})));
+  REQUIRE_FALSE(changes(with(first, SetVisible{{"part-2"}, false})));
+  REQUIRE(changes(with(first, RenamePart{"part-1", "Belly"})));
+  REQUIRE(changes(first));
+  REQUIRE(changes(with(first, SetRefinement{{}, "", &Refinement::simplify, 0.5})));
+  REQUIRE(changes(first));
+  REQUIRE(changes(with(
+      first, TransformParts{{"part-3"}, Affine{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 500, 0}}})));
+  REQUIRE(changes(with(first, DeleteParts{{"part-1"}})));
+}
+
+TEST_CASE("evaluation: a part still being drawn joins the rig that it is added to",
+          "[evaluation]") {
+  const Document document = drawnDocument(2);
   Evaluation evaluation;
   evaluation.update(document);
-  evaluation.update(with(document, SetSimplify{"part-1", PartOptions{}.joints.epsilon_s}));
-  REQUIRE(evaluation.recomputed() == 0);
+  const auto drawn = with(document, AddPart{softStar(3, 50, {30, 20})});
+  const PartSource& source = *drawn.parts.back();
+  const auto part = buildPart(source.stroke);
+  REQUIRE(part);
+  const PlacedPart placed = placedParts(drawn).back();
+  std::vector<RigPart> parts = evaluation.rigParts();
+  parts.push_back({&placed, &source, &*part});
+  const Rig live = makeRig(parts, document.refine);
+
+  evaluation.update(drawn);
+  REQUIRE(live == evaluation.rig());
+  REQUIRE(live.connections.back().child == 2);
 }
 
 TEST_CASE("evaluation: after any commands it equals an evaluation from nothing", "[evaluation]") {
@@ -176,18 +227,18 @@ TEST_CASE("evaluation: after any commands it equals an evaluation from nothing",
       Command command = AddPart{softStar(2 + random.below(5), random.between(20, 90))};
       switch (random.below(8)) {
         case 0:
-          command = DeletePart{id};
+          command = DeleteParts{{id}};
           break;
         case 1:
         case 2:
-          command = SetThickness{id, random.between(0, 4.5)};
+          command = SetThickness{{id}, random.between(0, 4.5)};
           break;
         case 3:
         case 4:
-          command = SetSimplify{id, random.between(0, 50)};
+          command = SetRefinement{{id}, "", &Refinement::simplify, random.between(0, 50)};
           break;
         case 5:
-          command = SetSimplify{id, std::nullopt};
+          command = SetRefinement{{id}, "", &Refinement::simplify, std::nullopt};
           break;
         case 6:
           history.undo();
@@ -215,9 +266,27 @@ TEST_CASE("evaluation: a part that cannot be made says why and harms no other", 
   REQUIRE_FALSE(evaluation.parts()[1].part);
   REQUIRE(evaluation.parts()[1].error.status == Status::noArea);
   REQUIRE(evaluation.parts()[2].part);
-  evaluation.update(with(document, SetThickness{"flat", 3}));
+  evaluation.update(with(document, SetThickness{{"flat"}, 3}));
   REQUIRE_FALSE(evaluation.parts()[1].part);
   REQUIRE(evaluation.parts()[1].error.status == Status::noArea);
+}
+
+TEST_CASE("evaluation: any creature equals its evaluation from nothing", "[evaluation]") {
+  Random random(11);
+  Evaluation evaluation;
+  for (int run = 0; run < 8; ++run) {
+    Document creature = randomCreature(random, 2 + random.below(8));
+    evaluation.update(creature);
+    requireFresh(evaluation, creature);
+    // Parts of the last creature under the same id do no harm.
+    for (int step = 0; step < 3; ++step) {
+      const auto ids = allPlacedIds(creature);
+      const std::string id = ids[static_cast<size_t>(random.below(static_cast<int>(ids.size())))];
+      creature = with(creature, TransformParts{{id}, randomSimilarity(random, 50)});
+      evaluation.update(creature);
+      requireFresh(evaluation, creature);
+    }
+  }
 }
 
 TEST_CASE("evaluation: mesh and skeleton ids are never used twice", "[evaluation]") {
@@ -231,7 +300,7 @@ TEST_CASE("evaluation: mesh and skeleton ids are never used twice", "[evaluation
   };
   note(0);
   note(1);
-  history.push(with(history.current(), SetThickness{"part-1", 2}), "");
+  history.push(with(history.current(), SetThickness{{"part-1"}, 2}), "");
   evaluation.update(history.current());
   note(0);
   history.undo();

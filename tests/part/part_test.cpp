@@ -1,5 +1,7 @@
 #include "part/part.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "skeleton/inside.h"
@@ -61,19 +63,16 @@ TEST_CASE("part: a stroke becomes a closed mesh with a skeleton inside", "[part]
   for (int arms = 2; arms < 8; ++arms) requireSound(must(buildPart(softStar(arms, 100))));
 }
 
-TEST_CASE("part: other joints or another thickness give what building anew gives", "[part]") {
+TEST_CASE("part: another thickness gives what building anew gives", "[part]") {
   const std::vector<Vec2> stroke = softStar(5, 120);
-  const Part part = must(buildPart(stroke));
-  for (double epsilon_s : {0.1, 2.0, 5.0, 30.0, 200.0}) {
+  for (double epsilon_s : {0.1, 5.0, 200.0}) {
+    PartOptions options;
+    options.joints.epsilon_s = epsilon_s;
+    const Part part = must(buildPart(stroke, options));
     for (double thickness : {0.05, 1.0, 3.3}) {
-      PartOptions options;
-      options.joints.epsilon_s = epsilon_s;
       options.inflate.thickness = thickness;
       const Part anew = must(buildPart(stroke, options));
-      const Part joints_first = withThickness(must(withJoints(part, options.joints)), thickness);
-      const Part thickness_first = must(withJoints(withThickness(part, thickness), options.joints));
-      requireSame(joints_first, anew);
-      requireSame(thickness_first, anew);
+      requireSame(withThickness(part, thickness), anew);
     }
   }
 }
@@ -98,8 +97,9 @@ TEST_CASE("part: each stage is timed once, and all together", "[part]") {
     REQUIRE(ms == 1);
   }
   REQUIRE(stages == std::vector<std::string>{"outline", "straightSkeleton", "axis", "joints",
-                                             "triangulation", "inflation", "normals", "proxy"});
-  REQUIRE(part.timings.total_ms == 8);
+                                             "triangulation", "inflation", "normals", "proxy",
+                                             "levels"});
+  REQUIRE(part.timings.total_ms == 9);
 }
 
 TEST_CASE("part: strokes from the smallest to the largest size are parts", "[part]") {
@@ -149,21 +149,69 @@ TEST_CASE("part: every real stroke is a sound part", "[part]") {
   }
 }
 
-TEST_CASE("part: no bone leaves what was drawn, whatever the setting", "[part]") {
+TEST_CASE("part: no bone leaves what was drawn, whatever the threshold", "[part]") {
   for (const auto& stroke : strokes::strokeFamilies(5, 300)) {
     INFO(stroke.name);
-    const auto part = buildPart(stroke.points);
-    REQUIRE(part);
-    for (const double epsilon_s : {1.0, 5.0, 100.0}) {
-      JointOptions options;
-      options.epsilon_s = epsilon_s;
-      const Part other = must(withJoints(*part, options));
-      for (const auto& bone : other.skeleton.bones) {
-        const Vec2 a = other.skeleton.joints[bone[0]].position;
-        const Vec2 b = other.skeleton.joints[bone[1]].position;
-        CHECK(segmentInside(other.outline.dense, a, b));
-        CHECK(segmentInside(other.outline.polygon, a, b));
+    const Part part = must(buildPart(stroke.points));
+    for (const double epsilon_s : {0.0, 1.0, 5.0, 100.0}) {
+      for (const auto& branch : part.skeleton.branches) {
+        Vec2 last = branch.samples[0].point;
+        for (size_t i = 1; i < branch.samples.size(); ++i) {
+          if (!isKept(branch.levels[i], epsilon_s * part.outline.scale())) continue;
+          CHECK(segmentInside(part.outline.dense, last, branch.samples[i].point));
+          CHECK(segmentInside(part.outline.polygon, last, branch.samples[i].point));
+          last = branch.samples[i].point;
+        }
       }
     }
+  }
+}
+
+TEST_CASE("part: the levels of a branch say where joints are placed at any threshold", "[part]") {
+  for (const auto& stroke : strokes::strokeFamilies(6, 100)) {
+    INFO(stroke.name);
+    const Part part = must(buildPart(stroke.points));
+    for (const double epsilon_s : {0.0, 0.7, 3.0, 5.0, 8.0, 40.0}) {
+      JointOptions options;
+      options.epsilon_s = epsilon_s;
+      const double scale = part.outline.scale();
+      const auto placed =
+          placeJoints(part.outline.polygon, part.axis, scale, options, &part.outline.dense);
+      REQUIRE(placed);
+      REQUIRE(placed->branches.size() == part.skeleton.branches.size());
+      for (size_t b = 0; b < placed->branches.size(); ++b) {
+        const auto& branch = part.skeleton.branches[b];
+        std::vector<uint32_t> kept;
+        for (uint32_t i = 0; i < branch.levels.size(); ++i) {
+          if (isKept(branch.levels[i], epsilon_s * scale)) kept.push_back(i);
+        }
+        CHECK(kept == placed->branches[b].at);
+      }
+    }
+  }
+}
+
+TEST_CASE("part: branches, joints and bones tell of the same skeleton", "[part]") {
+  for (const auto& stroke : strokes::strokeFamilies(7, 100)) {
+    INFO(stroke.name);
+    const Part part = must(buildPart(stroke.points));
+    const auto& joints = part.skeleton.joints;
+    const auto is_sleeve = [](const auto& joint) { return joint.kind == JointKind::sleeve; };
+    CHECK(std::is_partitioned(joints.begin(), joints.end(),
+                              [&](const auto& joint) { return !is_sleeve(joint); }));
+    size_t bones = 0;
+    for (const auto& branch : part.skeleton.branches) {
+      REQUIRE(branch.first_bone == bones);
+      REQUIRE(branch.at.size() == branch.joints.size());
+      for (size_t k = 0; k < branch.joints.size(); ++k) {
+        const auto& joint = joints[branch.joints[k]];
+        CHECK(joint.position == branch.samples[branch.at[k]].point);
+        CHECK(is_sleeve(joint) == (k > 0 && k + 1 < branch.joints.size()));
+        if (k == 0) continue;
+        const std::array<uint32_t, 2> bone{branch.joints[k - 1], branch.joints[k]};
+        CHECK(part.skeleton.bones[bones++] == bone);
+      }
+    }
+    CHECK(bones == part.skeleton.bones.size());
   }
 }
