@@ -71,6 +71,60 @@ struct Assembly {
   }
 };
 
+inline std::vector<Vec2> ellipse(Vec2 centre, double half_width, double half_height) {
+  std::vector<Vec2> stroke;
+  for (const Vec2 p : unitCircle(60)) {
+    stroke.push_back(centre + Vec2{p.x * half_width, p.y * half_height});
+  }
+  return stroke;
+}
+
+/// Adds a part, parallel to the front view, z in front of it; with a twin across `mirror`.
+inline PartSource& addPart(Document& document, const std::string& name,
+                           const std::vector<Vec2>& stroke, double z = 0,
+                           std::optional<Plane> mirror = {}) {
+  auto part = std::make_shared<PartSource>();
+  part->id = partId(takePartNumber(document));
+  part->name = name;
+  part->stroke = stroke;
+  part->frame.origin.z = z;
+  part->mirror = mirror;
+  document.parts.push_back(part);
+  return *part;
+}
+
+/// Seen from its side: a body, two legs with their twins, a neck, a head, a tail.
+inline Document quadruped() {
+  const Plane middle{{0, 0, 1}, 0};
+  Document document;
+  addPart(document, "Body", ellipse({0, 0}, 180, 70));
+  addPart(document, "Leg", ellipse({-120, -90}, 22, 80), 45, middle);
+  addPart(document, "Leg", ellipse({110, -90}, 22, 80), 45, middle);
+  addPart(document, "Neck", ellipse({185, 60}, 28, 70));
+  addPart(document, "Head", ellipse({215, 150}, 75, 45));
+  addPart(document, "Tail", ellipse({-230, 30}, 90, 12));
+  return document;
+}
+
+/// The document seen after a similarity, or a mirror image where a mirror is given.
+inline Document mapped(const Document& document, const Affine& map) {
+  const double scale = length(map.x);
+  const auto mappedPlane = [&](Plane plane) {
+    const Vec3 normal = map.direction(plane.normal) / scale;
+    const Vec3 on = map(plane.normal * -plane.offset);
+    return Plane{normal / length(normal), -dot(normal / length(normal), on)};
+  };
+  Document result = document;
+  for (auto& part : result.parts) {
+    auto source = std::make_shared<PartSource>(*part);
+    const Frame& frame = part->frame;
+    source->frame = {map(frame.origin), map.direction(frame.x), map.direction(frame.y)};
+    if (part->mirror) source->mirror = mappedPlane(*part->mirror);
+    part = source;
+  }
+  return result;
+}
+
 inline Refinement thresholds(double simplify, double merge, double prune, double collapse) {
   Refinement refine;
   refine.simplify = simplify;
