@@ -45,9 +45,9 @@ Gizmo layOutGizmo(Vec3 pivot, const Camera& camera, ViewSize size, bool touch) {
     const Vec3 v = axisDirection(kAxes[(k + 2) % 3], camera);
     std::vector<Vec2> front;
     int first = 0;  // begin behind, so that the front half is in one piece
-    const auto depth = [&](int i) {
+    const auto depth = [&, b = back](int i) {
       const double a = kFullTurn * i / kArcSteps;
-      return dot(back, u) * std::cos(a) + dot(back, v) * std::sin(a);
+      return dot(b, u) * std::cos(a) + dot(b, v) * std::sin(a);
     };
     for (int i = 0; i < kArcSteps; ++i) {
       if (depth(i) < depth(first)) first = i;
