@@ -20,6 +20,9 @@ constexpr double kBoneReach_px = 7, kBoneTouch_px = 16;
 constexpr double kCopyAway_px = 24;
 // A stroke shorter than this on the screen was no stroke.
 constexpr double kShortestStroke_px = 20;
+constexpr const char* kAlone =
+    "This part touches nothing, so it has a skeleton of its own. Move it until it touches, or "
+    "attach it in its panel.";
 constexpr const char* kTooSmall =
     "That was too small to become a shape. Draw a closed shape, a little larger.";
 
@@ -300,7 +303,10 @@ bool App::handleCharacter(char character) {
       useTool(ToolKind::select);
       break;
     case 'c':
-      useTool(ToolKind::contour);
+      useTool(ui_.tool == ToolKind::redraw ? ToolKind::reshape : ToolKind::redraw);
+      break;
+    case 'C':
+      useTool(ToolKind::reshape);
       break;
     case 'l':
       useTool(ToolKind::line);
@@ -337,7 +343,8 @@ void App::transformByKey(TransformKind kind) {
 void App::useTool(ToolKind tool) {
   hand_.cancel(ui_);
   ui_.tool = tool;
-  if (tool == ToolKind::contour && ui_.selection.empty()) {
+  const bool outline = tool == ToolKind::redraw || tool == ToolKind::reshape;
+  if (outline && ui_.selection.empty()) {
     say("Click the part whose outline you want to change.");
   }
 }
@@ -392,12 +399,21 @@ void App::apply(const Command& command) {
       return;
     }
     ui_.selection.set(added.source->id);
+    if (next->parts.size() > 1 && !hangsTogether(added.source->id)) say(kAlone);
     meter_.last_part = added.part->timings;
     meter_.last_evaluation_ms = added.part->timings.total_ms;
   }
   const std::string name = describe(document(), command);
   history_.push(std::move(*next), name);
   document_changed_ = true;
+}
+
+bool App::hangsTogether(const std::string& id) const {
+  const auto& placed = evaluation_.placed();
+  const auto& connections = evaluation_.rig().connections;
+  return std::any_of(connections.begin(), connections.end(), [&](const Connection& connection) {
+    return placed[connection.child].id == id || placed[connection.parent].id == id;
+  });
 }
 
 bool App::undo() {

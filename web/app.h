@@ -91,6 +91,8 @@ class App {
   void applyRequests();
   void apply(const Command& command);
   void finishStroke();
+  /// Whether a part hangs on another, or another on it.
+  bool hangsTogether(const std::string& id) const;
   void transformByKey(TransformKind kind);
   void useTool(ToolKind tool);
   void toggleVisible(bool show_all);

@@ -1,5 +1,6 @@
 #include "report.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/json.h"
@@ -76,6 +77,11 @@ Json previewJson(const App& app) {
                     {"method", toString(part->straight_skeleton.method)},
                     {"timings", toJson(part->timings)}};
   }
+  const size_t placed = app.evaluation().placed().size();
+  const auto& connections = app.rig().connections;
+  json["connections"] =
+      std::count_if(connections.begin(), connections.end(),
+                    [&](const Connection& connection) { return connection.child >= placed; });
   json["error"] =
       app.liveError().status == Status::ok ? Json(nullptr) : Json(app.liveError().message());
   json["frames"] = meter.count();

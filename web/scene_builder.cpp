@@ -28,7 +28,7 @@ constexpr Rgba kPolygon{0.13f, 0.29f, 0.53f, 0.9f};
 constexpr Rgba kPeripheral{0.13f, 0.29f, 0.53f, 0.5f};
 constexpr Rgba kInner{0.76f, 0.16f, 0.36f, 1};
 constexpr Rgba kProxy{0.28f, 0.72f, 0.76f, 0.62f};
-constexpr Rgba kSheet{0.15f, 0.39f, 0.68f, 0.13f};
+constexpr Rgba kSheet{0.15f, 0.39f, 0.68f, 0.08f};
 constexpr Rgba kSymmetrySheet{0.80f, 0.47f, 0.65f, 0.16f};
 
 Rgba toRgba(Color color) {

@@ -46,7 +46,8 @@ struct PanelsOpen {
 enum class ToolKind : uint8_t {
   draw,
   select,   // and move, turn, scale
-  contour,  // of the selected part
+  redraw,   // stretches of the selected part's outline
+  reshape,  // the same, by dragging its points
   line,     // of symmetry
 };
 

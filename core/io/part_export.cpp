@@ -1,13 +1,9 @@
 #include "io/part_export.h"
 
-#include <array>
-
-#include "io/json.h"
+#include "io/export_text.h"
 
 namespace marrow {
 namespace {
-
-std::string numberText(double value) { return toJson(value).dump(); }
 
 Json straightSkeletonTree(const StraightSkeleton& skeleton) {
   Json nodes = Json::array(), edges = Json::array();
@@ -53,67 +49,33 @@ Json meshTree(const Mesh& mesh) {
   return tree;
 }
 
-Json timingsTree(const Timings& timings) {
-  Json tree = Json::object();
-  for (const auto& [stage, ms] : timings.stages_ms) tree[stage] = toJson(ms);
-  tree["total"] = toJson(timings.total_ms);
-  return tree;
-}
-
-/// A name for one line of an OBJ file: no control characters, no spaces, never empty.
-std::string objName(const std::string& name) {
-  std::string text;
-  for (char c : name) text += static_cast<unsigned char>(c) <= ' ' || c == '\x7f' ? '_' : c;
-  return text.empty() ? "part" : text;
-}
-
-void appendVector(std::string& text, const char* keyword, Vec3 v) {
-  text += keyword;
-  for (double value : {v.x, v.y, v.z}) text += ' ' + numberText(value);
-  text += '\n';
-}
-
 }  // namespace
 
 std::string partToJson(const std::string& name, const Part& part) {
-  const std::array<std::pair<const char*, Json>, 7> fields = {{
-      {"name", name},
-      {"outline", toJson(part.outline.dense)},
-      {"polygon", toJson(part.outline.polygon)},
-      {"straightSkeleton", straightSkeletonTree(part.straight_skeleton)},
-      {"skeleton", skeletonTree(part.skeleton)},
-      {"mesh", meshTree(part.mesh)},
-      {"timings", timingsTree(part.timings)},
-  }};
-  std::string text;
-  for (const auto& [key, value] : fields) {
-    text += text.empty() ? "{\n" : ",\n";
-    text += "  \"" + std::string(key) + "\": " + toText(value);
-  }
-  return text + "\n}\n";
+  Json tree = Json::object();
+  tree["name"] = name;
+  tree["outline"] = toJson(part.outline.dense);
+  tree["polygon"] = toJson(part.outline.polygon);
+  tree["straightSkeleton"] = straightSkeletonTree(part.straight_skeleton);
+  tree["skeleton"] = skeletonTree(part.skeleton);
+  tree["mesh"] = meshTree(part.mesh);
+  tree["timings"] = timingsToTree(part.timings);
+  return toLines(tree);
 }
 
 std::string partToObj(const std::string& name, const Part& part) {
-  const std::string object = objName(name);
+  const std::string object = obj::name(name);
   std::string text = "# Marrow: a part's mesh, then its bones as lines between its joints\n";
   text += "o " + object + "\n";
-  for (Vec3 position : part.mesh.positions) appendVector(text, "v", position);
-  for (Vec3 normal : part.normals) appendVector(text, "vn", normal);
-  text += "s 1\n";
-  for (const auto& triangle : part.mesh.triangles) {
-    text += 'f';
-    for (uint32_t corner : triangle) {
-      const std::string index = std::to_string(corner + 1);
-      text += ' ' + index + "//" + index;
-    }
-    text += '\n';
-  }
+  for (Vec3 position : part.mesh.positions) obj::appendVector(text, "v", position);
+  for (Vec3 normal : part.normals) obj::appendVector(text, "vn", normal);
+  obj::appendFaces(text, part.mesh, 1);
 
   text += "o " + object + "_bones\n";
   for (const auto& joint : part.skeleton.joints) {
     text +=
-        "# " + std::string(toString(joint.kind)) + ", radius " + numberText(joint.radius) + '\n';
-    appendVector(text, "v", {joint.position.x, joint.position.y, 0});
+        "# " + std::string(toString(joint.kind)) + ", radius " + obj::number(joint.radius) + '\n';
+    obj::appendVector(text, "v", {joint.position.x, joint.position.y, 0});
   }
   const size_t first = part.mesh.positions.size() + 1;
   for (const auto& bone : part.skeleton.bones) {

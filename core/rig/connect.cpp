@@ -188,12 +188,17 @@ class Connecting {
     return proxies_[parent].holds && treeOf(parent) != child;
   }
 
+  bool isTakenOff(uint32_t part) const {
+    const auto& told = parts_[part].source->attachment;
+    return told && told->part.empty();
+  }
+
   void attachAsTold(uint32_t child) {
-    const Attachment& told = *parts_[child].source->attachment;
-    if (told.part.empty()) {
+    if (isTakenOff(child)) {
       free_[child] = false;
       return;
     }
+    const Attachment& told = *parts_[child].source->attachment;
     uint32_t parent = kNone;
     for (uint32_t i = 0; i < parts_.size() && parent == kNone; ++i) {
       if (parts_[i].placed->id == told.part) parent = i;
@@ -235,6 +240,8 @@ class Connecting {
       uint32_t other = i;
       if (swap && image_[i] != kNone && image_[i] >= first && image_[i] < end) other = image_[i];
       if (other == child || other == image_[child] || !canHold(other, child)) continue;
+      // What the user took off is not to be taken back from the other side.
+      if (other > child && isTakenOff(treeOf(other))) continue;
       if (proxies_[child].boxMeets(proxies_[other])) candidates_.push_back(other);
     }
     attachTo(child, candidates_);

@@ -265,14 +265,6 @@ class Joining {
   }
 
   void findWays() {
-    std::vector<uint32_t> longest(parts_.size(), 0);
-    for (uint32_t i = 0; i < parts_.size(); ++i) {
-      if (!hasBones(i)) continue;
-      const auto& branches = result_.parts[i].skeleton->branches;
-      for (uint32_t b = 1; b < branches.size(); ++b) {
-        if (branches[b].length() > branches[longest[i]].length()) longest[i] = b;
-      }
-    }
     for (uint32_t i = 0; i < result_.order.size(); ++i) {
       const uint32_t node = result_.order[i];
       if (result_.isRoot(node)) continue;
@@ -280,12 +272,29 @@ class Joining {
       if (result_.isEnd(parent)) result_.ways.push_back({parent, i, i, 0, false});
       // Behind a node with two edges comes the rest of its way.
       auto& way = result_.ways.back();
-      const Edge& edge = result_.edges[result_.nodes[node].edge];
       way.end = i + 1;
-      way.length += edge.length;
-      if (edge.branch != kNone && longest[result_.nodes[node].part] == edge.branch) {
-        way.keeps = true;
+      way.length += result_.edges[result_.nodes[node].edge].length;
+    }
+    std::vector<double> longest(parts_.size(), -1);
+    std::vector<uint32_t> keeper(parts_.size(), kNone);
+    for (uint32_t w = 0; w < result_.ways.size(); ++w) {
+      double own = 0;
+      for (uint32_t i = result_.ways[w].first; i < result_.ways[w].end; ++i) {
+        const Node& node = result_.nodes[result_.order[i]];
+        const Edge& edge = result_.edges[node.edge];
+        // The pieces of a part follow one another.
+        if (edge.branch == kNone) {
+          own = 0;
+          continue;
+        }
+        own += edge.length;
+        if (!(own > longest[node.part] * (1 + kTie))) continue;
+        longest[node.part] = own;
+        keeper[node.part] = w;
       }
+    }
+    for (const uint32_t way : keeper) {
+      if (way != kNone) result_.ways[way].keeps = true;
     }
   }
 

@@ -38,7 +38,7 @@ struct JoinedSkeleton {
     uint32_t first = 0, end = 0;  // its further nodes, without `start`: order[first] to before
                                   // order[end]
     double length = 0;            // world
-    bool keeps = false;           // holds a piece of the longest branch of a part
+    bool keeps = false;           // the one that holds most of some part
   };
   struct Part {
     const PartSkeleton* skeleton = nullptr;  // null: has no bones here
@@ -58,6 +58,8 @@ struct JoinedSkeleton {
   bool isRoot(uint32_t node) const { return nodes[node].parent == kNone; }
   /// Whether a way ends here.
   bool isEnd(uint32_t node) const { return nodes[node].degree != 2 || isRoot(node); }
+  /// Whether a joint here can be one with others.
+  bool isInner(uint32_t node) const { return nodes[node].degree > 1; }
 };
 
 /// Places on a branch nearer than this part of a sample's step are one.

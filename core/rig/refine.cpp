@@ -42,7 +42,6 @@ class Refining {
 
   Rig run() {
     setThresholds();
-    prune();
     addJoints();
     placeClusters();
     setBonesAndKinds();
@@ -115,20 +114,11 @@ class Refining {
   }
   uint32_t endOf(const Way& way) const { return joined_.order[way.end - 1]; }
 
-  void prune() {
-    ways_left_.assign(joined_.nodes.size(), 0);
-    pruned_.assign(joined_.ways.size(), false);
-    for (size_t i = 0; i < joined_.ways.size(); ++i) {
-      const Way& way = joined_.ways[i];
-      pruned_[i] = !way.keeps && joined_.nodes[endOf(way)].degree == 1 &&
-                   joined_.nodes[way.start].degree > 2 && way.length < thresholdsOf(way).prune;
-      if (pruned_[i]) continue;
-      ++ways_left_[way.start];
-      ++ways_left_[endOf(way)];
-    }
+  bool isPruned(const Way& way) const {
+    return !way.keeps && !joined_.isInner(endOf(way)) && isJunction(way.start) &&
+           way.length < thresholdsOf(way).prune;
   }
-
-  bool isInner(uint32_t node) const { return ways_left_[node] > 1; }
+  bool isJunction(uint32_t node) const { return joined_.nodes[node].degree > 2; }
 
   void addJoints() {
     joint_of_.assign(joined_.nodes.size(), -1);
@@ -140,7 +130,7 @@ class Refining {
       for (; way < joined_.ways.size(); ++way) {
         const Way& next = joined_.ways[way];
         if (joined_.parts[joined_.nodes[next.start].part].tree != tree) break;
-        if (!pruned_[way]) addWay(next);
+        if (!isPruned(next)) addWay(next);
       }
     }
   }
@@ -148,20 +138,20 @@ class Refining {
   void addWay(const Way& way) {
     const uint32_t end = endOf(way);
     const Thresholds& limit = thresholdsOf(way);
-    const bool merges = joined_.nodes[way.start].degree > 2 && joined_.nodes[end].degree > 2 &&
-                        way.length < limit.merge;
-    if (isInner(way.start) && isInner(end) && (merges || way.length < limit.collapse)) {
+    const bool merges =
+        isJunction(way.start) && isJunction(end) && !way.keeps && way.length < limit.merge;
+    const bool collapses = joined_.isInner(way.start) && joined_.isInner(end) && !way.keeps &&
+                           way.length < limit.collapse;
+    if (merges || collapses) {
       joint_of_[end] = joint_of_[way.start];
       takeIn(end);
       return;
     }
     int32_t last = joint_of_[way.start];
-    if (!merges) {
-      collectCandidates(way);
-      dropCrowded(way, limit.collapse);
-      for (const Candidate& candidate : candidates_) {
-        last = candidate.node != kNone ? addNode(candidate.node, last) : addSample(candidate, last);
-      }
+    collectCandidates(way);
+    dropCrowded(way, limit.collapse);
+    for (const Candidate& candidate : candidates_) {
+      last = candidate.node != kNone ? addNode(candidate.node, last) : addSample(candidate, last);
     }
     addNode(end, last);
   }
@@ -199,8 +189,8 @@ class Refining {
   void dropCrowded(const Way& way, double room) {
     const size_t count = candidates_.size();
     crowded_.assign(count, false);
-    double last_node = isInner(way.start) ? 0 : -kAlways;
-    const double end = isInner(endOf(way)) ? way.length : kAlways;
+    double last_node = joined_.isInner(way.start) ? 0 : -kAlways;
+    const double end = joined_.isInner(endOf(way)) ? way.length : kAlways;
     // Forwards and backwards, what is more important than the samples from there on.
     stack_.clear();
     for (size_t i = 0; i < count; ++i) {
@@ -391,8 +381,6 @@ class Refining {
   const JointNames names_;
   std::vector<Thresholds> thresholds_;  // by part
   std::vector<double> epsilons_;        // by part, at the reference perimeter
-  std::vector<char> pruned_;            // by way
-  std::vector<uint32_t> ways_left_;     // by node
   std::vector<int32_t> joint_of_;       // by node: of the rig, −1 where it is no end of a way
   std::vector<Candidate> candidates_;
   std::vector<char> crowded_;

@@ -53,10 +53,18 @@ bool operator==(const Connection& a, const Connection& b);
 /// The skeleton of everything: a forest.
 struct Rig {
   struct Joint {
-    std::string id;     // stays while the joint does: "part-3/n0" (end or junction 0 of the part),
-                        // "part-3/b1.17" (on branch 1), "part-3/a:part-5" (where that part hangs)
-    std::string name;   // "Leg.L.2": unique
-    uint32_t part = 0;  // placed part it belongs to
+    /// Stays while the joint does, and comes back with it: "part-3/n0" (terminal or junction 0 of
+    /// the part's own), "part-3/b1.17" (sample 17 of its branch 1), "part-3/a:part-5" (where that
+    /// part hangs on a branch). A '/' in a part's id is doubled.
+    std::string id;
+    /// Unique, and the same whatever the thresholds: the part's name, its side where it has a twin,
+    /// the number along the branch: "Leg.L.2". 1 is nearest to the root. Other branches than the
+    /// first have a letter, "Leg.L.B1", and begin behind the junction where they leave it. Numbers
+    /// are those of the skeleton with the default ε_s, so some may be missing; a joint that only a
+    /// finer skeleton has is called after the one before it, with its sample: "Leg.L.2_17". A
+    /// second part of the same name is "Leg 2".
+    std::string name;
+    uint32_t part = 0;                   // placed part it belongs to
     uint32_t branch = 0;                 // of the part's own branches, the one it lies on
     int32_t parent = -1;                 // joint; −1: a root
     Vec3 position;                       // world
@@ -66,8 +74,9 @@ struct Rig {
   std::vector<Joint> joints;                   // parents before their children
   std::vector<std::array<uint32_t, 2>> bones;  // parent, child: one per joint that is no root
   std::vector<uint32_t> roots;                 // joints, one per tree, in modelling order
-  std::vector<Connection> connections;         // by child
-  /// Placed parts without bones of their own, each with the joint that carries it, or −1.
+  std::vector<Connection> connections;         // by child, of parts with bones
+  /// Placed parts without bones of their own, each with the joint at the end of the bone that
+  /// carries it, or −1.
   std::vector<std::pair<uint32_t, int32_t>> carried;
 };
 bool operator==(const Rig::Joint& a, const Rig::Joint& b);

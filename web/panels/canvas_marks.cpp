@@ -69,7 +69,7 @@ class Marks {
   }
 
   void outline() {
-    if (ui_.tool != ToolKind::contour) return;
+    if (ui_.tool != ToolKind::redraw && ui_.tool != ToolKind::reshape) return;
     const PlacedPart* placed = find(ui_.selection.primary());
     if (!placed) return;
     const EvaluatedPart& evaluated = input_.evaluation.parts()[placed->source];
@@ -79,7 +79,8 @@ class Marks {
       list_.PathLineTo(toIm(onScreen(placed->frame.toWorld(p))));
     }
     list_.PathStroke(kEdge, ImDrawFlags_Closed, 1.6f);
-    if (evaluated.source->locked || input_.hand.mode() == Hand::Mode::contour) return;
+    const bool still = input_.hand.mode() != Hand::Mode::contour;
+    if (evaluated.source->locked || !still || ui_.tool == ToolKind::redraw) return;
     const float radius = ui_.touch() ? 6.5f : 4.5f;
     for (const Vec3 handle : contourHandles(*evaluated.part, placed->frame, ui_.camera)) {
       const ImVec2 at = toIm(onScreen(handle));

@@ -74,6 +74,7 @@ void thumbnailAt(const Thumbnail* thumbnail, ImVec2 low, ImVec2 high, float roun
   // A texture's rows begin at the bottom.
   list().AddImageRounded(texture, low, high, {cut_x, 1 - cut_y}, {1 - cut_x, cut_y}, IM_COL32_WHITE,
                          rounding);
+  list().AddRect(low, high, Theme::kHairline, rounding);
 }
 
 bool thumbnailCard(const char* id, const Thumbnail* thumbnail, const char* name, float width) {

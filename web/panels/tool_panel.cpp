@@ -16,13 +16,13 @@ struct ToolButton {
   const char* tooltip;
 };
 
-const std::array<ToolButton, 4> kTools{{
+const std::array<ToolButton, 5> kTools{{
     {ToolKind::draw, kIconPencil, "Draw a part  (B)"},
     {ToolKind::select, kIconMousePointer2,
      "Select, move, turn and scale  (V)\nDrag a part to move it, drag beside it for a box."},
-    {ToolKind::contour, kIconSpline,
-     "Change an outline  (C)\nDrag one of its points, or draw over a stretch of it."},
-    {ToolKind::line, kIconAxis3d,
+    {ToolKind::redraw, kIconPenLine, "Draw over a stretch of an outline to replace it  (C)"},
+    {ToolKind::reshape, kIconSpline, "Drag an outline to bend it  (C again)"},
+    {ToolKind::line, kIconSquareCenterlineDashedHorizontal,
      "Draw the line of symmetry  (L)\nA half outline drawn along it becomes a whole one."},
 }};
 
@@ -32,8 +32,10 @@ char keyOf(ToolKind tool) {
       return 'b';
     case ToolKind::select:
       return 'v';
-    case ToolKind::contour:
+    case ToolKind::redraw:
       return 'c';
+    case ToolKind::reshape:
+      return 'C';
     case ToolKind::line:
       return 'l';
   }
@@ -48,8 +50,10 @@ const char* toString(ToolKind tool) {
       return "draw";
     case ToolKind::select:
       return "select";
-    case ToolKind::contour:
-      return "contour";
+    case ToolKind::redraw:
+      return "redraw";
+    case ToolKind::reshape:
+      return "reshape";
     case ToolKind::line:
       return "line";
   }
@@ -86,14 +90,14 @@ void drawToolPanel(const PanelInput& input, UiState& ui, Requests& requests) {
   ButtonLook look{ui.symmetry ? "Symmetry is on: limbs get a twin on the other side  (M)"
                               : "Symmetry is off: every stroke is one part  (M)"};
   look.on = ui.symmetry;
-  if (iconButton("symmetry", kIconFlipHorizontal2, side, look)) requests.key = 'm';
+  if (iconButton("symmetry", kIconFlipVertical2, side, look)) requests.key = 'm';
   next();
   look = {ui.through_selected ? "New parts lie as deep as the selected ones"
                               : "New parts begin on the surface they are drawn on.\nPress to draw "
                                 "as deep as the selected part instead, or hold Shift."};
   look.on = ui.through_selected;
   look.enabled = ui.through_selected || !ui.selection.empty();
-  if (iconButton("depth", kIconAlignHorizontalJustifyCenter, side, look)) {
+  if (iconButton("depth", kIconLayers, side, look)) {
     ui.through_selected = !ui.through_selected;
     requests.again = true;
   }

@@ -10,6 +10,7 @@
 
 #include "io/document_json.h"
 #include "io/json.h"
+#include "io/rig_export.h"
 #include "platform/browser_files.h"
 #include "platform/key_names.h"
 #include "render/presenter.h"
@@ -55,6 +56,7 @@ std::string call(const std::string& name, const std::string& text) {
   if (name == "document") return writeDocument(app.document());
   if (name == "load") return verdict(app.load(text));
   if (name == "parts") return partsReport(app);
+  if (name == "rig") return rigToJson(app.evaluation());
   if (name == "stats") return statsReport(app);
   if (name == "undo") return app.undo() ? "true" : "false";
   if (name == "redo") return app.redo() ? "true" : "false";

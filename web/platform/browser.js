@@ -205,6 +205,7 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
       if (answer.error) throw new Error(answer.error);
     },
     parts: () => call('parts'),
+    rig: () => call('rig'),
     mesh(index) {
       const table = _marrow_mesh(index) >> 2;
       if (!table) return null;

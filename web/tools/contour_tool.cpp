@@ -13,6 +13,7 @@ constexpr double kHandleEvery_px = 46;
 constexpr double kEdgeOn = 0.15;     // cosine between the plane's normal and the view
 constexpr double kDragShare = 0.16;  // of the perimeter: how far a drag is felt
 constexpr double kReach_px = 40;     // so near to the outline a stroke must begin or end
+constexpr double kGrab_px = 12, kTouchGrab_px = 24;
 constexpr size_t kMostHandles = 200;
 
 }  // namespace
@@ -49,7 +50,7 @@ std::optional<Vec2> planePoint(Vec2 pixel, const Frame& frame, const Camera& cam
 }
 
 bool ContourTool::begin(Vec2 pixel, const PlacedPart& placed, const EvaluatedPart& evaluated,
-                        const Camera& camera, ViewSize size, bool touch) {
+                        const Camera& camera, ViewSize size, bool drags, bool touch) {
   if (!evaluated.part) return false;
   const auto start = planePoint(pixel, placed.frame, camera, size);
   if (!start) return false;
@@ -61,11 +62,9 @@ bool ContourTool::begin(Vec2 pixel, const PlacedPart& placed, const EvaluatedPar
   perimeter_ = perimeter(outline_);
   reach_ = kReach_px / (camera.zoom * placed.frame.scale());
   points_ = {*start};
-  const double grab_px = touch ? 22 : 10;
-  const auto handles = contourHandles(*evaluated.part, placed.frame, camera);
-  drags_ = std::any_of(handles.begin(), handles.end(), [&](Vec3 handle) {
-    return distance(camera.toScreen(handle, size), pixel) < grab_px;
-  });
+  drags_ = drags;
+  const double grab = (touch ? kTouchGrab_px : kGrab_px) / (camera.zoom * frame_.scale());
+  if (drags && distanceToBorder(outline_, *start) > grab) return false;
   active_ = true;
   return true;
 }

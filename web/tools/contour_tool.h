@@ -11,7 +11,7 @@
 
 namespace marrow {
 
-/// Points of the outline to drag by, evenly spread on the screen; world.
+/// Points of the outline, evenly spread on the screen, to show that it can be dragged; world.
 std::vector<Vec3> contourHandles(const Part& part, const Frame& frame, const Camera& camera);
 
 /// The place in the frame's plane under a pixel; nothing where the plane is seen edge-on.
@@ -19,9 +19,10 @@ std::optional<Vec2> planePoint(Vec2 pixel, const Frame& frame, const Camera& cam
 
 class ContourTool {
  public:
-  /// False where the part's plane is seen edge-on.
+  /// drags: a point of the outline, else draws. False where the part's plane is seen edge-on, and
+  /// where there is no point to drag.
   bool begin(Vec2 pixel, const PlacedPart& placed, const EvaluatedPart& evaluated,
-             const Camera& camera, ViewSize size, bool touch);
+             const Camera& camera, ViewSize size, bool drags, bool touch);
   void move(Vec2 pixel);
   void end() { active_ = false; }
 

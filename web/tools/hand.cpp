@@ -98,12 +98,14 @@ void Hand::begin(const DrawTool& gesture, bool shift, UiState& ui, const World& 
       }
       break;
     }
-    case ToolKind::contour: {
+    case ToolKind::redraw:
+    case ToolKind::reshape: {
       const PlacedPart* placed = placedPart(ui.selection.primary(), world.evaluation);
       if (!placed) break;
       const EvaluatedPart& evaluated = world.evaluation.parts()[placed->source];
       if (evaluated.source->locked || !evaluated.source->visible) break;
-      if (contour_.begin(from_px_, *placed, evaluated, ui.camera, ui.size, ui.touch())) {
+      if (contour_.begin(from_px_, *placed, evaluated, ui.camera, ui.size,
+                         ui.tool == ToolKind::reshape, ui.touch())) {
         mode_ = Mode::contour;
       }
       break;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "document/symmetry.h"
+#include "sketch/polygon.h"
 
 namespace marrow {
 namespace {
@@ -37,6 +38,17 @@ void StrokePlace::begin(Vec2 pixel, const Camera& camera, const Document& docume
   line_ = symmetry_ && document.symmetry.has_value();
   reach_ = kReach_px / camera.zoom;
   ends_.clear();
+  outlines_.clear();
+  for (const PlacedPart& placed : evaluation.placed()) {
+    const EvaluatedPart& evaluated = evaluation.parts()[placed.source];
+    if (!evaluated.part || !evaluated.source->visible) continue;
+    std::vector<Vec2> outline;
+    for (const Vec2 p : evaluated.part->outline.dense) {
+      const Vec3 world = placed.frame.toWorld(p);
+      outline.push_back({dot(right_, world), dot(up_, world)});
+    }
+    outlines_.push_back(std::move(outline));
+  }
   if (!hit_) return;
   const PlacedPart& placed = evaluation.placed()[hit_->placed];
   const PartSkeleton& skeleton = evaluation.parts()[placed.source].part->skeleton;
@@ -75,6 +87,17 @@ bool StrokePlace::looksLikeLimb(const std::vector<Vec2>& stroke) const {
   return way.y < -0.4 * length(way) || hit_->facing > kSideFacing;
 }
 
+bool StrokePlace::touchesCharacter(const std::vector<Vec2>& stroke) const {
+  constexpr size_t kSamples = 24;
+  for (size_t k = 0; k < kSamples; ++k) {
+    const Vec2 p = stroke[k * (stroke.size() - 1) / (kSamples - 1)];
+    for (const auto& outline : outlines_) {
+      if (contains(outline, p)) return true;
+    }
+  }
+  return false;
+}
+
 StrokePlace::Place StrokePlace::at(const std::vector<Vec2>& stroke) const {
   Place place;
   place.frame = frameThrough(through_);
@@ -91,7 +114,8 @@ StrokePlace::Place StrokePlace::at(const std::vector<Vec2>& stroke) const {
       return place;
     }
   }
-  if (isOffPlane(stroke, place.frame, *symmetry_)) place.mirror = symmetry_;
+  const bool belongs = line_ || touchesCharacter(stroke);
+  if (belongs && isOffPlane(stroke, place.frame, *symmetry_)) place.mirror = symmetry_;
   return place;
 }
 

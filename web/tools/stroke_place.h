@@ -20,7 +20,7 @@ namespace marrow {
 /// With symmetry on and the character seen from its side, a stroke that does not look like a limb
 /// lies in the plane of symmetry: heads, necks and tails go on where the body ends. Limbs lie on
 /// the body's side and have a twin on the other. In any other view, what is drawn off the plane has
-/// a twin.
+/// a twin; where nobody sketched the plane, only what touches the character.
 class StrokePlace {
  public:
   struct Place {
@@ -39,6 +39,7 @@ class StrokePlace {
  private:
   Frame frameThrough(Vec3 world) const;
   bool looksLikeLimb(const std::vector<Vec2>& stroke) const;
+  bool touchesCharacter(const std::vector<Vec2>& stroke) const;
 
   struct End {  // of the bones of the body under the start, in the view
     Vec2 position, outward;
@@ -54,6 +55,7 @@ class StrokePlace {
   bool line_ = false;       // the user sketched the line of symmetry
   double reach_ = 0;        // how near to it a half outline ends, model units
   std::vector<End> ends_;
+  std::vector<std::vector<Vec2>> outlines_;  // of all visible parts, in the view
 };
 
 }  // namespace marrow

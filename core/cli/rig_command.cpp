@@ -1,0 +1,136 @@
+// marrow rig: a document's file in, the character with its skeleton as JSON, OBJ and SVG out.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "document/evaluation.h"
+#include "io/document_json.h"
+#include "io/rig_export.h"
+
+namespace marrow {
+namespace {
+
+constexpr Range kThreshold = {0, Refinement::kLargest};
+const Options kOptions = {"document",
+                          {"--json", "--obj", "--svg"},
+                          {{"--eps-s", kThreshold},
+                           {"--eps-m", kThreshold},
+                           {"--eps-t", kThreshold},
+                           {"--eps-c", kThreshold}}};
+constexpr struct {
+  const char* option;
+  std::optional<double> Refinement::*threshold;
+} kThresholds[] = {{"--eps-s", &Refinement::simplify},
+                   {"--eps-m", &Refinement::merge},
+                   {"--eps-t", &Refinement::prune},
+                   {"--eps-c", &Refinement::collapse}};
+
+bool isFinite(const Rig& rig) {
+  return std::all_of(rig.joints.begin(), rig.joints.end(), [](const Rig::Joint& joint) {
+    return std::isfinite(joint.position.x) && std::isfinite(joint.position.y) &&
+           std::isfinite(joint.position.z) && std::isfinite(joint.radius);
+  });
+}
+
+/// The last piece of a path.
+std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+
+std::string printable(std::string words) {
+  for (char& c : words) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+  }
+  return words;
+}
+
+/// "Leg (part-3)"
+std::string partName(const Evaluation& character, uint32_t part) {
+  const PlacedPart& placed = character.placed()[part];
+  return printable(character.parts()[placed.source].source->name + " (" + placed.id + ")");
+}
+
+double stageTime(const Timings& timings, const std::string& name) {
+  for (const auto& [stage, ms] : timings.stages_ms) {
+    if (name == stage) return ms;
+  }
+  return 0;
+}
+
+int printSummary(const std::string& path, const Evaluation& character) {
+  const Rig& rig = character.rig();
+  const size_t parts = character.parts().size(), twins = character.placed().size() - parts;
+  std::array<size_t, 3> kinds{};
+  for (const Rig::Joint& joint : rig.joints) ++kinds[static_cast<size_t>(joint.kind)];
+
+  std::printf("%s: %zu parts, %zu twins\n", printable(fileName(path)).c_str(), parts, twins);
+  std::printf("  joints: %zu (%zu terminal, %zu sleeve, %zu junction), %zu bones\n",
+              rig.joints.size(), kinds[0], kinds[1], kinds[2], rig.bones.size());
+  for (const uint32_t root : rig.roots) {
+    const Rig::Joint& joint = rig.joints[root];
+    std::printf("  root: %s of %s\n", printable(joint.name).c_str(),
+                partName(character, joint.part).c_str());
+  }
+  for (const Connection& connection : rig.connections) {
+    std::printf("  %s hangs on %s (%s, by %s)\n", partName(character, connection.child).c_str(),
+                partName(character, connection.parent).c_str(), toString(connection.event),
+                toString(connection.test));
+  }
+  for (const auto& [part, joint] : rig.carried) {
+    std::printf("  %s has no bones and %s%s\n", partName(character, part).c_str(),
+                joint < 0 ? "hangs on nothing" : "moves with ",
+                joint < 0 ? "" : printable(rig.joints[static_cast<size_t>(joint)].name).c_str());
+  }
+  for (const uint32_t part : unattachedParts(character)) {
+    std::printf("  unattached: %s\n", partName(character, part).c_str());
+  }
+  for (const EvaluatedPart& part : character.parts()) {
+    if (part.part) continue;
+    std::printf("  left out: %s: %s\n", printable(part.source->id).c_str(),
+                printable(part.error.message()).c_str());
+  }
+  const Timings& timings = character.timings();
+  double skeletons_ms = 0;
+  for (const char* stage : {"outline", "straightSkeleton", "axis", "joints"}) {
+    skeletons_ms += stageTime(timings, stage);
+  }
+  std::printf("  time: skeletons %.2f ms, connection %.2f ms, refinement %.2f ms, all %.2f ms\n",
+              skeletons_ms, stageTime(timings, "connection"), stageTime(timings, "refinement"),
+              timings.total_ms);
+  return std::fflush(stdout) == 0 ? kFine : kRefused;
+}
+
+}  // namespace
+
+int runRig(const std::vector<std::string>& words) {
+  const auto arguments = parseArguments(words, kOptions);
+  if (!arguments) return refuse(arguments.message());
+  const std::string& path = arguments->path;
+
+  const auto text = readAll(path, kLargestFile);
+  if (!text) return refuse(path + ": " + text.message());
+  auto document = readDocument(*text);
+  if (!document) return refuse(path + ": " + document.message());
+  for (const auto& [option, threshold] : kThresholds) {
+    if (const auto value = arguments->findNumber(option)) document->refine.*threshold = value;
+  }
+  Evaluation character({}, milliseconds);
+  character.update(*document);
+  if (!isFinite(character.rig())) return refuse(path + ": " + toSentence(Status::meshFailed));
+
+  std::vector<OutputFile> files;
+  if (const auto* out = arguments->findPath("--json")) {
+    files.push_back({*out, rigToJson(character)});
+  }
+  if (const auto* out = arguments->findPath("--obj")) files.push_back({*out, rigToObj(character)});
+  if (const auto* out = arguments->findPath("--svg")) {
+    files.push_back({*out, rigToSvg(fileName(path), character)});
+  }
+  if (files.empty()) return printSummary(path, character);
+  if (auto error = writeAll(files)) return refuse(error->message());
+  return kFine;
+}
+
+}  // namespace marrow
