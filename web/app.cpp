@@ -460,11 +460,23 @@ void App::update() {
   document_changed_ = false;
   const double start_ms = clock_();
   evaluation_.update(shown_);
+  forgetWhatIsGone();
   if (evaluation_.recomputed() == 0) return;
   meter_.last_evaluation_ms = clock_() - start_ms;
   if (ui_.edit) return;
   const EvaluatedPart& last = evaluation_.parts().back();
   if (last.part) meter_.last_part = last.part->timings;
+}
+
+void App::forgetWhatIsGone() {
+  const auto& placed = evaluation_.placed();
+  auto& ids = ui_.selection.ids;
+  const auto isGone = [&](const std::string& id) {
+    return std::none_of(placed.begin(), placed.end(),
+                        [&](const PlacedPart& one) { return one.id == id; });
+  };
+  ids.erase(std::remove_if(ids.begin(), ids.end(), isGone), ids.end());
+  if (ids.size() != 1) ui_.selection.branch.clear();
 }
 
 void App::updateLivePart() {

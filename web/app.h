@@ -97,6 +97,7 @@ class App {
   void useTool(ToolKind tool);
   void toggleVisible(bool show_all);
   void update();
+  void forgetWhatIsGone();
   void updateLivePart();
   void click(Vec2 pixel, bool shift);
   Hand::World world() const { return {document(), evaluation_, ground()}; }

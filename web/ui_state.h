@@ -53,7 +53,7 @@ enum class ToolKind : uint8_t {
 
 const char* toString(ToolKind tool);
 
-/// What the user has chosen. Ids that are gone mean nothing.
+/// What the user has chosen.
 struct Selection {
   std::vector<std::string> ids;  // of placed parts; the last one chosen is the last
   std::string branch;            // key of a branch of the only part; may be empty

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "base/text.h"
 #include "document/placed_parts.h"
 #include "document/placement.h"
 #include "document/reference_image.h"
@@ -17,14 +18,6 @@ namespace {
 using PartPointer = std::shared_ptr<const PartSource>;
 
 PartPointer share(PartSource part) { return std::make_shared<const PartSource>(std::move(part)); }
-
-/// On one line, whatever a name holds.
-std::string onOneLine(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
-  }
-  return text;
-}
 
 Error notFound(const std::string& id) {
   return {Status::notFound, "There is no part \"" + onOneLine(id) + "\"."};
@@ -255,7 +248,7 @@ Result<Document> applyTo(const Document& document, const SetSkeleton& command) {
 
 Result<Document> applyTo(const Document& document, const RenamePart& command) {
   return changeParts(document, findParts(document, {command.id}), [&](PartSource& part) {
-    return !command.name.empty() && assign(part.name, command.name);
+    return !command.name.empty() && assign(part.name, toUtf8(command.name));
   });
 }
 

@@ -58,6 +58,7 @@ struct SetSkeleton {
   Ids ids;
   bool skeleton;
 };
+/// An empty name changes nothing; bytes that are not UTF-8 are replaced.
 struct RenamePart {
   std::string id, name;
 };

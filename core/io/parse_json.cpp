@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/text.h"
 #include "io/decimal.h"
 #include "io/json.h"
 
@@ -248,32 +249,11 @@ class Parser {
     return true;
   }
 
-  /// One character of two to four bytes, in the shortest form alone [RFC 3629 §4].
   bool parseMultibyte(std::string& into) {
-    const auto first = static_cast<unsigned char>(peek());
-    unsigned char low = 0x80, high = 0xbf;  // of the second byte
-    int more = 0;
-    if (first >= 0xc2 && first <= 0xdf) {
-      more = 1;
-    } else if (first >= 0xe0 && first <= 0xef) {
-      more = 2;
-      if (first == 0xe0) low = 0xa0;
-      if (first == 0xed) high = 0x9f;
-    } else if (first >= 0xf0 && first <= 0xf4) {
-      more = 3;
-      if (first == 0xf0) low = 0x90;
-      if (first == 0xf4) high = 0x8f;
-    } else {
-      return invalid();
-    }
-    into += text_[at_++];
-    for (; more > 0; --more) {
-      const auto byte = static_cast<unsigned char>(peek());
-      if (byte < low || byte > high) return invalid();
-      into += text_[at_++];
-      low = 0x80;
-      high = 0xbf;
-    }
+    const size_t length = characterLength(std::string_view(text_).substr(at_));
+    if (length < 2) return invalid();
+    into.append(text_, at_, length);
+    at_ += length;
     return true;
   }
 

@@ -76,6 +76,14 @@ std::string Program::log() const {
   return log + message + "\n";
 }
 
+GLint Program::location(const char* uniform) const {
+  for (const auto& [name, place] : locations_) {
+    if (name == uniform) return place;
+  }
+  locations_.emplace_back(uniform, glGetUniformLocation(program_.name(), uniform));
+  return locations_.back().second;
+}
+
 void Program::set(const char* uniform, int value) const { glUniform1i(location(uniform), value); }
 
 void Program::set(const char* uniform, float value) const { glUniform1f(location(uniform), value); }

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "render/gl.h"
 #include "render/scene.h"
@@ -37,12 +39,12 @@ class Program {
   void setRotation(const char* uniform, const std::array<Vec3, 3>& rows) const;
 
  private:
-  GLint location(const char* uniform) const {
-    return glGetUniformLocation(program_.name(), uniform);
-  }
+  GLint location(const char* uniform) const;
 
   GlProgram program_;
   std::string name_;
+  // By the address of the name: asking OpenGL every time takes longer than drawing a small part.
+  mutable std::vector<std::pair<const char*, GLint>> locations_;
 };
 
 }  // namespace marrow

@@ -1,0 +1,79 @@
+// What holds for every document, whatever commands and files made it.
+#pragma once
+
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "document/document.h"
+#include "document/placed_parts.h"
+#include "document/placement.h"
+#include "document/reference_image.h"
+#include "io/document_json.h"
+
+namespace marrow {
+
+inline bool isUnit(const Plane& plane) {
+  return std::fabs(dot(plane.normal, plane.normal) - 1) < 1e-13 &&
+         isDrawable(Vec2{plane.offset, 0});
+}
+
+inline bool isThreshold(const std::optional<double>& value) {
+  return !value || (*value >= 0 && *value <= Refinement::kLargest);
+}
+inline bool areThresholds(const Refinement& refine) {
+  return isThreshold(refine.simplify) && isThreshold(refine.merge) && isThreshold(refine.prune) &&
+         isThreshold(refine.collapse);
+}
+
+/// What is wrong with the part; empty: nothing.
+inline std::string faultOf(const PartSource& part) {
+  if (part.id.empty() || part.id.find(':') != std::string::npos) return "id";
+  if (part.name.empty()) return "name";
+  if (!isSound(part.frame)) return "frame";
+  if (!isDrawable(part.stroke, part.frame)) return "stroke";
+  if (!(part.thickness >= kMinThickness && part.thickness <= kMaxThickness)) return "thickness";
+  if (part.mirror && !isUnit(*part.mirror)) return "mirror";
+  if (!areThresholds(part.refine)) return "refine";
+  if (part.branches.size() > PartSource::kMostBranches) return "branches";
+  for (const auto& branch : part.branches) {
+    if (!isThreshold(branch.second)) return "branch";
+  }
+  if (part.attachment && !isDrawable(part.attachment->at)) return "attachment";
+  return {};
+}
+
+/// What is wrong with the document, or with reading and writing it; empty: nothing.
+inline std::string faultOf(const Document& document) {
+  std::set<std::string> ids;
+  if (document.parts.size() > Document::kMostParts) return "too many parts";
+  for (const auto& part : document.parts) {
+    if (!part) return "no part";
+    const std::string fault = faultOf(*part);
+    if (!fault.empty()) return part->id + ": " + fault;
+    if (!ids.insert(part->id).second) return part->id + " is there twice";
+  }
+  if (!areThresholds(document.refine)) return "refine";
+  if (document.symmetry && !isUnit(*document.symmetry)) return "symmetry";
+  std::set<Reference::View> views;
+  for (const auto& reference : document.references) {
+    if (!reference || !reference->image || !isReferenceImage(*reference->image)) return "image";
+    if (!views.insert(reference->view).second) return "two pictures in a view";
+    if (!(reference->opacity >= 0 && reference->opacity <= 1)) return "opacity";
+    if (!(reference->scale >= Reference::kMinScale && reference->scale <= Reference::kMaxScale)) {
+      return "scale";
+    }
+    if (!isDrawable(reference->position)) return "position";
+  }
+  size_t twins = 0;
+  for (const auto& part : document.parts) twins += part->mirror ? 1 : 0;
+  if (placedParts(document).size() != document.parts.size() + twins) return "placed parts";
+
+  const std::string text = writeDocument(document);
+  const auto again = readDocument(text);
+  if (!again) return "written, but not read: " + again.message();
+  if (writeDocument(*again) != text) return "written otherwise after reading";
+  return {};
+}
+
+}  // namespace marrow
