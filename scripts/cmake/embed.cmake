@@ -55,7 +55,7 @@ const std::array<Sample, ${count}>& samples();
   foreach(file IN LISTS FILES)
     get_filename_component(base "${file}" NAME)
     file(READ "${file}" source)
-    string(JSON name GET "${source}" name)
+    string(JSON name GET "${source}" title)
     string(APPEND text "    {\"${base}\", \"${name}\", R\"json(${source})json\"},\n")
   endforeach()
   string(APPEND text "}};\n\n}  // namespace\n\n"

@@ -14,7 +14,7 @@ const plain = {init: () => {
 }};
 
 const drawing = (name, ...strokes) => JSON.stringify({
-  format: 'marrow', version: 1, name,
+  format: 'marrow', version: 1, title: name,
   parts: strokes.map((points) => ({stroke: {points}})), mine: {kept: [1, 2]},
 });
 const square = [[0, 0], [100, 0], [100, 100], [0, 100]];
@@ -120,7 +120,7 @@ test('a dropped file is opened, and fields that nobody knows are kept', plain, a
   assert.equal(await app.page.title(), 'strange – Marrow');
   const {text} = await downloaded(app, () => app.page.keyboard.press('Control+s'));
   assert.deepEqual(JSON.parse(text).mine, {kept: [1, 2]});
-  assert.equal(JSON.parse(text).name, 'strange');
+  assert.equal(JSON.parse(text).title, 'strange');
 });
 
 test('a broken or newer file is refused in one sentence and changes nothing', plain, async (app) => {

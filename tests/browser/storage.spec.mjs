@@ -170,7 +170,7 @@ test('a new drawing leaves the one before among the recent ones', async (app) =>
 
 test('ten drawings are kept, the newest ones', async (app) => {
   for (let i = 0; i < 12; ++i) {
-    await app.page.evaluate((n) => marrow.load({format: 'marrow', version: 1, name: `number ${n}`,
+    await app.page.evaluate((n) => marrow.load({format: 'marrow', version: 1, title: `number ${n}`,
       parts: [{stroke: {points: [[0, 0], [100, 0], [0, 100]]}}]}), i);
     await app.settled();
   }

@@ -80,7 +80,7 @@ std::string ageInWords(double seconds) {
 std::string nameIn(const Document& document) {
   const auto extra = parseJson(document.extra);
   if (!extra) return {};
-  const Json* name = field(*extra, "name");
+  const Json* name = field(*extra, "title");
   return name && name->is_string() ? cut(trimmed(name->get<std::string>())) : std::string();
 }
 
@@ -88,7 +88,7 @@ std::string textWithName(const Document& document, const std::string& name) {
   if (name.empty() || nameIn(document) == name) return writeDocument(document);
   auto extra = parseJson(document.extra);
   Json fields = extra && extra->is_object() ? std::move(*extra) : Json::object();
-  fields["name"] = name;
+  fields["title"] = name;
   Document named = document;
   named.extra = toText(fields);
   return writeDocument(named);

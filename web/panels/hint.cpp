@@ -76,6 +76,17 @@ void drawHint(const PanelInput& input, UiState& ui, Requests& requests) {
                   Theme::kText);
   drawCentredLine(list, fonts().regular, "It becomes a body with bones while you draw.", at.x,
                   at.y + radius * 0.92f + 30, Theme::kSoftText);
+  if (ui.open.anySheet()) return;
+  PanelBox box;
+  box.bar = true;
+  box.anchor = {0.5f, 0};
+  box.position = {std::round(at.x), std::round(at.y + radius * 0.92f + 64)};
+  beginPanel("start", box);
+  if (textButton("samples", "Or start from a sample", buttonSide(ui), {})) {
+    ui.openOnly(&PanelsOpen::gallery);
+    requests.again = true;
+  }
+  endPanel();
 }
 
 void drawToast(const PanelInput&, UiState& ui, Requests& requests) {
