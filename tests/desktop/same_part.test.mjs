@@ -51,7 +51,8 @@ function onDesktop(name, points) {
       .map((ending) => path.join(folder, `${name}.${ending}`));
   fs.writeFileSync(stroke, JSON.stringify({name, closed: true, points}));
   const done = spawnSync(path.join(build, 'marrow-app'), ['--size', `${width}x${height}`,
-    '--play', stroke, '--dump', dump, '--screenshot', screenshot], {encoding: 'utf8'});
+    '--play', stroke, '--dump', dump, '--screenshot', screenshot],
+    {encoding: 'utf8', env: {...process.env, XDG_DATA_HOME: folder}});
   assert.equal(done.status, 0, `${done.error ?? done.stderr}`);
   assert.equal(done.stderr, '');
   return {parts: JSON.parse(fs.readFileSync(dump, 'utf8')),

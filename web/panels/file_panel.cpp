@@ -70,15 +70,12 @@ void drawPath(const Keeping& keeping, UiState& ui, Requests& requests) {
   ImGui::PopStyleVar();
   ui.file_path_edited |= ui.file_path != before;
   const float half = (width - 8) / 2;
-  ButtonLook look{"Opens the file with this path  (Ctrl O)"};
-  look.width = half;
-  if (textButton("open", "Open", height, look)) {
+  if (paleButton("open", "Open", half, height, "Opens the file with this path  (Ctrl O)")) {
     requests.files.push_back({Kind::open, ui.file_path});
     ui.file_path_edited = false;
   }
   ImGui::SameLine();
-  look.tooltip = "Writes the drawing to this path  (Ctrl S)";
-  if (textButton("save", "Save", height, look)) {
+  if (paleButton("save", "Save", half, height, "Writes the drawing to this path  (Ctrl S)")) {
     requests.files.push_back({Kind::save_as, ui.file_path});
     ui.file_path_edited = false;
   }
@@ -159,24 +156,27 @@ void drawOffer(const PanelInput& input, UiState& ui, Requests& requests) {
   const float side = ui.touch() ? 44.0f : 34.0f;
   PanelBox box;
   box.anchor = {0.5f, 0};
-  box.width = std::min(canvasWidth(ui) - 2 * margin(ui), 380.0f);
-  const float top = ui.narrow() ? std::max(barHeight(ui), gizmoSide(ui)) + margin(ui) : 0;
-  box.position = {canvasWidth(ui) / 2, top + margin(ui)};
+  box.width = 360;
+  box.position = {canvasWidth(ui) / 2, margin(ui)};
+  if (ui.narrow()) {  // between the tools, the ball and the invitation
+    box.anchor.x = 1;
+    box.width = std::min(canvasWidth(ui) - 3 * margin(ui) - barHeight(ui), box.width);
+    box.position = {canvasWidth(ui) - margin(ui), 2 * margin(ui) + gizmoSide(ui)};
+  }
   beginPanel("offer", box);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  thumbnailAt(thumbnailOf(recent, input, ui, requests), at, {at.x + 72, at.y + 54}, 6);
-  ImGui::Dummy({72, 54});
+  thumbnailAt(thumbnailOf(recent, input, ui, requests), at, {at.x + 56, at.y + 42}, 6);
+  ImGui::Dummy({56, 42});
   ImGui::SameLine();
   ImGui::BeginGroup();
-  ImGui::Dummy({0, 1});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 3));
   heading("Go on with your drawing?");
   const std::string words = std::string(nameOf(recent)) + ", " + inWords(recent, input, ui);
   softText(shortened(words, ImGui::GetContentRegionAvail().x).c_str());
+  ImGui::PopStyleVar();
   ImGui::EndGroup();
   const float width = (ImGui::GetContentRegionAvail().x - 8) / 2;
-  ButtonLook look{"It stays among the recent drawings"};
-  look.width = width;
-  if (textButton("not now", "Not now", side, look)) {
+  if (paleButton("not now", "Not now", width, side, "It stays among the recent drawings")) {
     requests.files.push_back({Kind::dismiss, recent.slot});
   }
   ImGui::SameLine();

@@ -52,7 +52,8 @@ void drawCentredLine(ImDrawList& list, ImFont* font, const char* text, float x, 
 }  // namespace
 
 void drawHint(const PanelInput& input, UiState& ui, Requests& requests) {
-  if (!input.shown.parts.empty() || input.drawing) return;
+  if (!input.shelf.keeping.empty() || !input.shown.parts.empty() || input.drawing) return;
+  if (ui.open.anySheet()) return;
   if (ui.hint_since_ms < 0) ui.hint_since_ms = ui.now_ms;
   const double age_ms = ui.now_ms - ui.hint_since_ms;
   const double progress = std::clamp(age_ms / kDrawn_ms, 0.0, 1.0);
@@ -76,7 +77,6 @@ void drawHint(const PanelInput& input, UiState& ui, Requests& requests) {
                   Theme::kText);
   drawCentredLine(list, fonts().regular, "It becomes a body with bones while you draw.", at.x,
                   at.y + radius * 0.92f + 30, Theme::kSoftText);
-  if (ui.open.anySheet()) return;
   PanelBox box;
   box.bar = true;
   box.anchor = {0.5f, 0};

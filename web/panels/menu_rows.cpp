@@ -103,6 +103,19 @@ bool thumbnailRow(const char* id, const Thumbnail* thumbnail, const char* name, 
   return clicked;
 }
 
+bool paleButton(const char* id, const char* text, float width, float height, const char* tooltip,
+                ImU32 color) {
+  const bool clicked = ImGui::InvisibleButton(id, {width, height});
+  notePlace(id);
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const bool touched = ImGui::IsItemActive() || ImGui::IsItemHovered();
+  list().AddRectFilled(low, high, touched ? Theme::kPress : Theme::kHover, 9);
+  textAt(fonts().regular, text, (low.x + high.x - widthOf(fonts().regular, text)) / 2,
+         (low.y + high.y) / 2, color);
+  tooltipForLastItem(tooltip);
+  return clicked;
+}
+
 bool accentButton(const char* id, const char* text, float width, float height) {
   const bool clicked = ImGui::InvisibleButton(id, {width, height});
   notePlace(id);

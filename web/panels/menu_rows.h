@@ -25,6 +25,9 @@ bool thumbnailCard(const char* id, const Thumbnail* thumbnail, const char* name,
 bool thumbnailRow(const char* id, const Thumbnail* thumbnail, const char* name, const char* words,
                   float height);
 
+/// A button with a pale ground.
+bool paleButton(const char* id, const char* text, float width, float height, const char* tooltip,
+                ImU32 color = Theme::kText);
 /// A button in the accent's colour.
 bool accentButton(const char* id, const char* text, float width, float height);
 

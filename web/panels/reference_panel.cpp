@@ -13,23 +13,24 @@ namespace {
 
 constexpr double kSmallest = 1.0 / 8, kLargest = 8;  // of the size that fits
 
-struct Row {
+struct Place {
   const char* id;
   const char* name;
-  const char* ends;
   const char* tooltip;
+  int column;
 };
 
-/// True while the value changes.
-bool sliderRow(const Row& row, float& value, float mark, const UiState& ui, Requests& requests) {
+/// A slider with its name above it, half as wide as the panel; true while the value changes.
+bool sliderAt(const Place& place, float& value, const UiState& ui, Requests& requests) {
+  const float gap = 16, width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  if (place.column == 1) ImGui::SameLine(0, gap);
+  ImGui::BeginGroup();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 0));
-  heading(row.name);
-  const float width = ImGui::CalcTextSize(row.ends).x;
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
-  softText(row.ends);
+  heading(place.name);
+  const SliderEvent event = slider(place.id, value, 0.5f, ui.touch() ? 40.0f : 32.0f, width);
   ImGui::PopStyleVar();
-  const SliderEvent event = slider(row.id, value, mark, ui.touch() ? 40.0f : 32.0f);
-  tooltipForLastItem(row.tooltip);
+  tooltipForLastItem(place.tooltip);
+  ImGui::EndGroup();
   if (event.released) requests.commit_edit = true;
   requests.again |= event.changed || event.released;
   return event.changed;
@@ -43,36 +44,28 @@ void drawSliders(const Reference& shown, const Pixels& pixels, UiState& ui, Requ
   bool changed = false;
 
   auto t = static_cast<float>(reference.opacity);
-  if (sliderRow({"opacity", "Opacity", "faint \xE2\x86\x92 clear", "How clearly it is seen"}, t,
-                0.5f, ui, requests)) {
+  if (sliderAt({"opacity", "Opacity", "How clearly it is seen", 0}, t, ui, requests)) {
     reference.opacity = t;
     changed = true;
   }
   const double span = std::log(kLargest / kSmallest);
   t = static_cast<float>(
       std::clamp(std::log(reference.scale / fit.scale / kSmallest) / span, 0.0, 1.0));
-  if (sliderRow({"size", "Size", "small \xE2\x86\x92 large", "How large it is"}, t, 0.5f, ui,
-                requests)) {
+  if (sliderAt({"size", "Size", "How large it is", 1}, t, ui, requests)) {
     reference.scale = fit.scale * kSmallest * std::exp(t * span);
     changed = true;
   }
-  const auto place = [&](const Row& row, double& value, double middle, double width) {
+  const auto slide = [&](const Place& place, double& value, double middle, double width) {
     auto at = static_cast<float>(std::clamp(0.5 + (value - middle) / width, 0.0, 1.0));
-    if (!sliderRow(row, at, 0.5f, ui, requests)) return;
+    if (!sliderAt(place, at, ui, requests)) return;
     value = middle + (at - 0.5) * width;
     changed = true;
   };
-  place({"across", "Across", "left \xE2\x86\x92 right", "Moves it to the side"},
-        reference.position.x, fit.position.x, reach.x);
-  place({"upright", "Upright", "down \xE2\x86\x92 up", "Moves it up and down"},
-        reference.position.y, fit.position.y, reach.y);
+  slide({"across", "Left and right", "Moves it to the side", 0}, reference.position.x,
+        fit.position.x, reach.x);
+  slide({"upright", "Down and up", "Moves it down and up", 1}, reference.position.y, fit.position.y,
+        reach.y);
   if (changed) ui.edit = PendingEdit{SetReference{reference}};
-
-  ButtonLook look{"As large as the view, in its middle"};
-  look.width = ImGui::GetContentRegionAvail().x;
-  if (textButton("fit", "Fit into the view", rowHeight(ui), look)) {
-    requests.commands.push_back(SetReference{fit});
-  }
 }
 
 }  // namespace
@@ -101,20 +94,24 @@ void drawReferencePanel(const PanelInput& input, UiState& ui, Requests& requests
   }
   softText((where + ", and seen from there alone.").c_str());
   const Picture* picture = input.shelf.pictures.find(*reference);
+  const bool ready = picture && picture->pixels;
   if (picture && picture->broken) {
     softText("This picture cannot be shown: it is damaged, or of a kind that is not known here.");
-  } else if (picture && picture->pixels) {
+  } else if (ready) {
     drawSliders(*reference, *picture->pixels, ui, requests);
   }
-  ButtonLook look{"Another picture in its place"};
-  look.width = (ImGui::GetContentRegionAvail().x - 8) / 2;
-  if (textButton("choose", "Replace\xE2\x80\xA6", rowHeight(ui), look)) {
+  const float width = (ImGui::GetContentRegionAvail().x - 16) / 3, height = rowHeight(ui);
+  if (paleButton("fit", "Fit", width, height, "As large as the view, in its middle") && ready) {
+    const Pixels& pixels = *picture->pixels;
+    requests.commands.push_back(SetReference{
+        fitted(*reference, pixels.natural_width, pixels.natural_height, ui.camera, ui.size)});
+  }
+  ImGui::SameLine();
+  if (paleButton("choose", "Replace\xE2\x80\xA6", width, height, "Another picture in its place")) {
     requests.files.push_back({FileAction::Kind::picture, {}});
   }
   ImGui::SameLine();
-  look.tooltip = "Takes the picture away";
-  look.danger = true;
-  if (textButton("remove", "Remove", rowHeight(ui), look)) {
+  if (paleButton("remove", "Remove", width, height, "Takes the picture away", Theme::kDanger)) {
     Reference none;
     none.view = view;
     requests.commands.push_back(SetReference{none});

@@ -61,6 +61,7 @@ const char* toString(ToolKind tool) {
 }
 
 void drawToolPanel(const PanelInput& input, UiState& ui, Requests& requests) {
+  if (ui.narrow() && ui.open.anySheet()) return;  // it needs the room
   PanelBox box;
   box.position = {margin(ui), 2 * margin(ui) + barHeight(ui)};
   box.bar = true;

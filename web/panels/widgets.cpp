@@ -116,9 +116,9 @@ bool switchRow(const char* id, const char* icon, const char* text, bool on, floa
   return clicked;
 }
 
-SliderEvent slider(const char* id, float& value, float mark, float height) {
+SliderEvent slider(const char* id, float& value, float mark, float height, float width) {
   SliderEvent event;
-  const float width = ImGui::GetContentRegionAvail().x;
+  if (width <= 0) width = ImGui::GetContentRegionAvail().x;
   ImGui::InvisibleButton(id, {width, height});
   notePlace(id);
   const ImVec2 low = ImGui::GetItemRectMin();

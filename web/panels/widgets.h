@@ -35,8 +35,8 @@ bool switchRow(const char* id, const char* icon, const char* text, bool on, floa
 struct SliderEvent {
   bool changed = false, released = false;
 };
-/// value: 0 … 1. mark: where the default lies.
-SliderEvent slider(const char* id, float& value, float mark, float height);
+/// value: 0 … 1. mark: where the default lies. width 0: all there is.
+SliderEvent slider(const char* id, float& value, float mark, float height, float width = 0);
 
 /// One of the colours to choose from.
 bool swatch(const char* id, Color color, bool chosen, float side);
