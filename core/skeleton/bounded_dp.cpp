@@ -19,6 +19,8 @@ constexpr double kCorridor = 0.5;
 // Errors that differ by less than this part are equal: a branch that is its own mirror image is
 // split at both places.
 constexpr double kTie = 1e-9;
+// Samples that are looked at together, with the edges near them.
+constexpr size_t kChunk = 8;
 // Long straight edges get more points for the spline, this many steps apart, so that it rounds off
 // a corner near it and leaves the rest straight.
 constexpr double kSplineSpan = 3;
@@ -101,62 +103,119 @@ std::vector<BranchSample> walk(const std::vector<Vec2>& line, double step, bool 
   return samples;
 }
 
-/// Fills in what the polygon says about the samples; false where one is outside.
-bool measure(const std::vector<Vec2>& polygon, std::vector<BranchSample>& samples) {
-  struct Edge {
-    Vec2 end, along;
-    double inverse;  // of the squared length
-  };
-  std::vector<Edge> edges(polygon.size());
-  for (size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 along = polygon[i] - polygon[i > 0 ? i - 1 : polygon.size() - 1];
-    edges[i] = {polygon[i], along, 1 / dot(along, along)};
-  }
-  const double far = std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < samples.size(); ++i) {
-    BranchSample& sample = samples[i];
-    Vec2 tangent =
-        samples[std::min(i + 1, samples.size() - 1)].point - samples[i > 0 ? i - 1 : 0].point;
-    if (!(dot(tangent, tangent) > 0)) tangent = samples[i + 1].point - sample.point;
-    tangent = tangent / length(tangent);
-    sample.normal = perpendicular(tangent);
+/// A polygon's edges, made ready to be measured from many points.
+struct Edge {
+  Vec2 start, end, along;
+  double inverse;  // of the squared length
 
-    double left = far, right = far, nearest = far;
-    bool inside = false;
-    Vec2 to = polygon.back() - sample.point;
-    double ahead = dot(to, tangent);
-    for (const Edge& edge : edges) {
-      const Vec2 from = to;
-      to = edge.end - sample.point;
-      const double behind = ahead;
-      ahead = dot(to, tangent);
-      const double t = std::clamp(-dot(from, edge.along) * edge.inverse, 0.0, 1.0);
-      const Vec2 foot = from + edge.along * t;
-      nearest = std::min(nearest, dot(foot, foot));
-      if ((behind < 0) == (ahead < 0)) continue;
-      const double offset =
-          dot(from, sample.normal) + dot(edge.along, sample.normal) * (behind / (behind - ahead));
-      if (offset > 0) {
-        left = std::min(left, offset);
-        inside = !inside;
-      } else {
-        right = std::min(right, -offset);
-      }
-    }
-    if (!inside) return false;
-    sample.radius = std::sqrt(nearest);
-    sample.left = std::min(left, kSectionLimit * sample.radius);
-    sample.right = std::min(right, kSectionLimit * sample.radius);
+  Vec2 footFrom(Vec2 from) const {  // from: the point to the edge's start
+    return from + along * std::clamp(-dot(from, along) * inverse, 0.0, 1.0);
   }
-  return true;
+};
+
+std::vector<Edge> edgesOf(const std::vector<Vec2>& polygon) {
+  std::vector<Edge> edges(polygon.size());
+  Vec2 start = polygon.back();
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 along = polygon[i] - start;
+    edges[i] = {start, polygon[i], along, 1 / dot(along, along)};
+    start = polygon[i];
+  }
+  return edges;
 }
 
+/// Fills in what the polygon says about a sample; edges: those that matter there.
+void measure(const std::vector<Edge>& edges, Vec2 tangent, BranchSample& sample) {
+  const double far = std::numeric_limits<double>::infinity();
+  sample.normal = perpendicular(tangent);
+  double left = far, right = far, nearest = far;
+  for (const Edge& edge : edges) {
+    const Vec2 from = edge.start - sample.point, to = edge.end - sample.point;
+    const double behind = dot(from, tangent), ahead = dot(to, tangent);
+    const Vec2 foot = edge.footFrom(from);
+    nearest = std::min(nearest, dot(foot, foot));
+    if ((behind < 0) == (ahead < 0)) continue;
+    const double offset =
+        dot(from, sample.normal) + dot(edge.along, sample.normal) * (behind / (behind - ahead));
+    if (offset > 0) {
+      left = std::min(left, offset);
+    } else {
+      right = std::min(right, -offset);
+    }
+  }
+  sample.radius = std::sqrt(nearest);
+  sample.left = std::min(left, kSectionLimit * sample.radius);
+  sample.right = std::min(right, kSectionLimit * sample.radius);
+}
+
+/// The samples from `first` to before `last`; edges: those that matter to them.
+void measure(const std::vector<Edge>& edges, std::vector<BranchSample>& samples, size_t first,
+             size_t last) {
+  constexpr size_t kFew = 7, kPart = 5, kParts = 4;
+  const Vec2 middle = samples[(first + last) / 2].point;
+  double reach = 0, nearest = std::numeric_limits<double>::infinity();
+  for (size_t i = first; i < last; ++i) {
+    reach = std::max(reach, distance(middle, samples[i].point));
+  }
+  std::vector<double> distances(edges.size());
+  for (size_t i = 0; i < edges.size(); ++i) {
+    const Vec2 foot = edges[i].footFrom(edges[i].start - middle);
+    distances[i] = dot(foot, foot);
+    nearest = std::min(nearest, distances[i]);
+  }
+  // What is further away is not the nearest to any of them, nor within a section that counts.
+  const double limit = 1.001 * (reach + kSectionLimit * (std::sqrt(nearest) + reach));
+  std::vector<Edge> near;
+  near.reserve(edges.size());
+  for (size_t i = 0; i < edges.size(); ++i) {
+    if (distances[i] <= limit * limit) near.push_back(edges[i]);
+  }
+  if (last - first > kFew) {
+    const size_t part = std::max(kPart, (last - first + kParts - 1) / kParts);
+    for (size_t i = first; i < last; i += part) {
+      measure(near, samples, i, std::min(i + part, last));
+    }
+    return;
+  }
+  for (size_t i = first; i < last; ++i) {
+    Vec2 tangent =
+        samples[std::min(i + 1, samples.size() - 1)].point - samples[i > 0 ? i - 1 : 0].point;
+    if (!(dot(tangent, tangent) > 0)) tangent = samples[i + 1].point - samples[i].point;
+    measure(near, tangent / length(tangent), samples[i]);
+  }
+}
+
+struct Box {
+  Vec2 low, high;
+};
+
+Box boxOf(const std::vector<BranchSample>& samples, size_t first, size_t last) {
+  Box box{samples[first].point, samples[first].point};
+  for (size_t i = first + 1; i <= last; ++i) {
+    const Vec2 p = samples[i].point;
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  return box;
+}
+
+NearEdges edgesAround(const Region& region, const std::vector<BranchSample>& samples) {
+  const Box box = boxOf(samples, 0, samples.size() - 1);
+  return NearEdges(region, box.low, box.high);
+}
+
+/// The samples follow one another from inside to inside, so where no step touches the border, none
+/// is outside.
 bool staysInside(const Region& region, const std::vector<BranchSample>& samples) {
-  for (size_t i = 0; i + 1 < samples.size(); ++i) {
-    const BranchSample &a = samples[i], &b = samples[i + 1];
-    // Between two inscribed balls that overlap the segment is inside.
-    if (!region.outline && distance(a.point, b.point) < 0.999 * (a.radius + b.radius)) continue;
-    if (!segmentInside(region, a.point, b.point)) return false;
+  const NearEdges around = edgesAround(region, samples);
+  NearEdges near;
+  for (size_t first = 0; first + 1 < samples.size(); first += kChunk) {
+    const size_t last = std::min(first + kChunk, samples.size() - 1);
+    const Box box = boxOf(samples, first, last);
+    near.narrow(around, box.low, box.high);
+    for (size_t i = first; i < last; ++i) {
+      if (!near.isClear(samples[i].point, samples[i + 1].point)) return false;
+    }
   }
   return true;
 }
@@ -197,7 +256,7 @@ Split largestError(const std::vector<BranchSample>& samples, size_t first, size_
 }
 
 /// Inside the region Ω, at a distance from its border, and inside the polygon.
-bool boneFits(const Region& region, const std::vector<BranchSample>& samples, size_t first,
+bool boneFits(const NearEdges& around, const std::vector<BranchSample>& samples, size_t first,
               size_t last) {
   const Vec2 a = samples[first].point, chord = samples[last].point - a;
   for (size_t i = first + 1; i < last; ++i) {
@@ -207,7 +266,7 @@ bool boneFits(const Region& region, const std::vector<BranchSample>& samples, si
     const double offset = -cross(chord, s.point - a) / across;
     if (offset > kCorridor * s.left || -offset > kCorridor * s.right) return false;
   }
-  return segmentInside(region, a, samples[last].point);
+  return around.isClear(a, samples[last].point);
 }
 
 }  // namespace
@@ -217,10 +276,13 @@ std::vector<BranchSample> sampleBranch(const Region& region, const std::vector<V
   if (axis.size() > 2) {
     std::vector<BranchSample> samples =
         walk(splineThrough(divided(axis, kSplineSpan * step)), step, false);
-    if (measure(region.polygon, samples) && staysInside(region, samples)) return samples;
+    if (staysInside(region, samples)) {
+      measure(edgesOf(region.polygon), samples, 0, samples.size());
+      return samples;
+    }
   }
   std::vector<BranchSample> samples = walk(axis, step, true);
-  measure(region.polygon, samples);
+  measure(edgesOf(region.polygon), samples, 0, samples.size());
   return samples;
 }
 
@@ -242,6 +304,7 @@ std::vector<double> branchLevels(const Region& region, const std::vector<BranchS
   const double shrink = std::clamp(options.shrink, 0.0, 1.0);
   const double floor = std::isnan(options.epsilon) ? kAlways : options.epsilon;
 
+  const NearEdges around = edgesAround(region, samples);
   std::vector<double> levels(samples.size());
   levels.front() = levels.back() = kAlways;
   std::vector<Divided> divided;
@@ -251,7 +314,7 @@ std::vector<double> branchLevels(const Region& region, const std::vector<BranchS
     todo.pop_back();
     if (interval.last - interval.first < 2) continue;
     const Split split = largestError(samples, interval.first, interval.last, options.shape_weight);
-    const bool fits = boneFits(region, samples, interval.first, interval.last);
+    const bool fits = boneFits(around, samples, interval.first, interval.last);
     double epsilon = interval.epsilon;
     if (!(split.error > epsilon)) {
       if (fits) continue;

@@ -5,6 +5,8 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 
+import {rigClaims} from './rig_claims.mjs';
+
 const [, , given, shared] = process.argv;
 assert.ok(given && fs.existsSync(given), `no program ${given}: build it first`);
 const program = path.resolve(given);
@@ -129,10 +131,11 @@ claim('options change what they name', () => {
 });
 
 claim('help is asked for or deserved', () => {
-  for (const words of [['--help'], ['part', '--help'], ['-h']]) {
+  for (const words of [['--help'], ['part', '--help'], ['rig', '--help'], ['-h']]) {
     const done = run(...words);
     assert.equal(done.status, 0);
     assert.match(done.stdout, /^Usage: marrow part STROKE.json/);
+    assert.match(done.stdout, /marrow rig DOCUMENT.json/);
     assert.equal(done.stderr, '');
   }
   const bare = run();
@@ -307,6 +310,8 @@ claim('any broken copy of a stroke is a part or a refusal', () => {
     if (done.status === 2) assert.match(done.stderr, /^marrow: mutant.json: [^\n]+\n$/);
   }
 });
+
+rigClaims({claim, run, write, inFolder, checkRefused});
 
 let failures = 0;
 for (const {name, check} of claims) {
