@@ -10,7 +10,7 @@
 namespace marrow {
 namespace {
 
-constexpr double kThumbnailBudget_ms = 6;  // of a frame
+constexpr double kThumbnailBudget_ms = 10;  // of a frame
 
 /// "dog.json cannot be opened: it is empty."
 std::string cannotOpen(const std::string& what, const Error& error) {

@@ -10,7 +10,7 @@ const shown = (app) => app.until(() => {
   const {widgets, drawing} = marrow.stats();
   const count = widgets.filter((one) => one.id === 'sample').length;
   return count > 0 && drawing.thumbnails.filter((one) => one.ready).length >= count;
-}).then(() => app.settled());
+}, undefined, 90_000).then(() => app.settled());
 
 const isInk = (color) => Math.min(...color) < 190;
 
@@ -29,7 +29,8 @@ async function checkCards(app) {
 }
 
 test('every sample has its picture, opens, and is undone', {width: 1280, height: 800}, async (app) => {
-  await app.press('start', 'samples');
+  const {x, y} = await app.widget('start', 'samples');
+  await app.page.mouse.click(x, y);
   await shown(app);
   await app.screenshot('laptop');
   const all = await cards(app);
@@ -64,7 +65,8 @@ test('every sample has its picture, opens, and is undone', {width: 1280, height:
 test('on a phone the samples are two in a row, and one is a starting point',
      {width: 360, height: 740, scale: 2, touch: true}, async (app) => {
   await app.screenshot('phone-hint');
-  await app.press('start', 'samples');
+  const {x, y} = await app.widget('start', 'samples');
+  await app.page.mouse.click(x, y);
   await shown(app);
   await app.screenshot('phone');
   await checkCards(app);

@@ -63,11 +63,11 @@ test('a picture lies behind the strokes of its view, and is saved and undone', {
 
   // From elsewhere it is not seen.
   const box = [300, 150, 980, 700];
-  assert.ok(image.find(isRed, box).count > 1000);
+  assert.ok(image.find(isRed, box).count > 50_000);
   await app.key('3');
-  assert.equal((await app.pixels()).find(isRed, box).count, 0);
+  assert.ok((await app.pixels()).find(isRed, box).count < 500, 'an outline is as red at most');
   await app.key('1');
-  assert.ok((await app.pixels()).find(isRed, box).count > 1000);
+  assert.ok((await app.pixels()).find(isRed, box).count > 50_000);
 
   // One per view.
   await app.key('7');
@@ -85,16 +85,16 @@ test('a picture lies behind the strokes of its view, and is saved and undone', {
                                         app.page.keyboard.press('Control+s')]);
   const text = await readFile(await download.path(), 'utf8');
   await app.press('toolbar', 'new');
-  assert.equal((await app.pixels()).find(isRed, box).count, 0);
+  assert.ok((await app.pixels()).find(isRed, box).count < 500);
   await app.page.evaluate((json) => marrow.load(json), text);
   await ready(app, 2);
   assert.deepEqual(JSON.parse(await app.document()).references, JSON.parse(whole).references);
-  assert.ok((await app.pixels()).find(isRed, box).count > 1000);
+  assert.ok((await app.pixels()).find(isRed, box).count > 50_000);
 
   while (await app.page.evaluate(() => marrow.undo())) ;
   assert.equal(await app.document(), empty);
   await app.settled();
-  assert.equal((await app.pixels()).find(isRed, box).count, 0);
+  assert.ok((await app.pixels()).find(isRed, box).count < 500);
 });
 
 test('its sliders and buttons change it, and all of it is undone', async (app) => {
