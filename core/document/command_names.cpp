@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/text.h"
 #include "document/command.h"
 #include "document/placed_parts.h"
 
@@ -13,7 +14,7 @@ std::string named(const Document& document, const std::string& placed_id) {
   const PartSource& part = *document.parts[*index];
   const uint64_t number = partNumber(part.id);
   if (number > 0 && part.name == defaultPartName(number)) return "part " + std::to_string(number);
-  return part.name;
+  return onOneLine(part.name);
 }
 
 std::string named(const Document& document, const Ids& ids) {

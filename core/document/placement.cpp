@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/text.h"
+
 namespace marrow {
 namespace {
 
@@ -43,7 +45,7 @@ bool isThin(const std::vector<Vec2>& stroke) {
 }
 
 Error flattened(const PartSource& part) {
-  return {Status::noArea, part.name + " would be flat, or too far away."};
+  return {Status::noArea, onOneLine(part.name) + " would be flat, or too far away."};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/frame.h"
+#include "base/text.h"
 #include "io/json.h"
 
 namespace marrow {
@@ -15,7 +16,7 @@ namespace marrow {
 class Fault {
  public:
   void say(const std::string& sentence) {
-    if (!error_) error_ = Error{Status::unreadable, sentence};
+    if (!error_) error_ = Error{Status::unreadable, onOneLine(sentence)};
   }
   const std::optional<Error>& error() const { return error_; }
 

@@ -91,6 +91,7 @@ Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& optio
   if (!mesh) return mesh.error();
   part.mesh = std::move(*mesh);
   for (Vec3 position : part.mesh.positions) part.depths.push_back(position.z);
+  part.relief = Relief(part.mesh, part.depths);
   setThickness(part, options.inflate.thickness);
   watch.lap("inflation");
 

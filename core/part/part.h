@@ -7,6 +7,7 @@
 #include "base/result.h"
 #include "base/timing.h"
 #include "part/proxy.h"
+#include "part/relief.h"
 #include "skeleton/axis.h"
 #include "skeleton/joints.h"
 #include "skeleton/straight_skeleton.h"
@@ -35,6 +36,7 @@ struct Part {
   Mesh mesh;
   std::vector<Vec3> normals;            // one per mesh vertex
   std::vector<double> depths;           // z of each mesh vertex at thickness 1
+  Relief relief;                        // the mesh's upper side, at thickness 1
   std::vector<double> inscribed_radii;  // one per joint
   Timings timings;  // stages: outline, straightSkeleton, axis, joints, triangulation,
                     // inflation, normals, proxy, levels

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "rig/body_overlap.h"
+
 namespace marrow {
 namespace {
 
@@ -12,8 +14,34 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 // What differs by less than this part of its scale is equal: rounding must not decide who holds a
 // part, or the twins of a symmetric creature would part company.
 constexpr double kTie = 1e-9;
+// By this share of the smaller radius.
+constexpr double kPlainlyAway = 1;
 // Bones whose directions differ by a smaller sine are parallel: measured at their ends alone.
 constexpr double kParallel = 1e-5;
+
+/// The box around a part's body in space.
+struct Box {
+  Vec3 low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
+
+  bool meets(const Box& other) const {
+    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
+           other.low.y <= high.y && low.z <= other.high.z && other.low.z <= high.z;
+  }
+};
+
+Box boxOf(const RigPart& part) {
+  Box box;
+  const Relief& relief = part.part->relief;
+  const double height = relief.highest() * part.source->thickness;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p = part.placed->frame.toWorld(Vec3{corner & 1 ? relief.high().x : relief.low().x,
+                                                   corner & 2 ? relief.high().y : relief.low().y,
+                                                   corner & 4 ? height : -height});
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+  }
+  return box;
+}
 
 /// A part's balls and cones in space.
 struct Proxy {
@@ -24,6 +52,7 @@ struct Proxy {
   const PartSkeleton* skeleton = nullptr;
   Vec3 low, high;   // box around them
   double size = 0;  // of the box
+  Box body;
 
   bool isEnd(size_t joint) const { return skeleton->joints[joint].kind != JointKind::sleeve; }
   bool boxHas(Vec3 p) const {
@@ -42,6 +71,7 @@ Proxy proxyOf(const RigPart& part) {
   proxy.exists = true;
   proxy.holds = part.source->skeleton;
   proxy.skeleton = &part.part->skeleton;
+  proxy.body = boxOf(part);
   const Frame& frame = part.placed->frame;
   const double scale = frame.scale();
   const auto& joints = proxy.skeleton->joints;
@@ -168,6 +198,9 @@ class Connecting {
       if (free_[i]) attach(i, 0, i);
     }
     for (uint32_t i = 0; i < count; ++i) {
+      if (free_[i] && image_[i] != kNone && !free_[image_[i]]) attachLikeImage(i);
+    }
+    for (uint32_t i = 0; i < count; ++i) {
       const uint32_t image = image_[i];
       if (free_[i] && image < i && free_[image] && canHold(image, i)) attachTo(i, {image});
     }
@@ -242,7 +275,8 @@ class Connecting {
       if (other == child || other == image_[child] || !canHold(other, child)) continue;
       // What the user took off is not to be taken back from the other side.
       if (other > child && isTakenOff(treeOf(other))) continue;
-      if (proxies_[child].boxMeets(proxies_[other])) candidates_.push_back(other);
+      const Proxy &one = proxies_[child], &two = proxies_[other];
+      if (one.boxMeets(two) || one.body.meets(two.body)) candidates_.push_back(other);
     }
     attachTo(child, candidates_);
   }
@@ -274,7 +308,34 @@ class Connecting {
         connection.parent = candidate;
       }
     }
+    if (connection.parent == kNone) {
+      best = 0;
+      for (const uint32_t candidate : candidates) {
+        if (!proxy.body.meets(proxies_[candidate].body)) continue;
+        const double share = bodyOverlap(parts_[child], parts_[candidate]);
+        if (!(share > best + kTie)) continue;
+        best = share;
+        connection.parent = candidate;
+      }
+    }
     if (connection.parent == kNone) return;
+    placeNearest(connection);
+    add(connection);
+  }
+
+  /// Where a part lies just on the verge, rounding must not tell it from its twin.
+  void attachLikeImage(uint32_t child) {
+    const auto found = std::find_if(
+        result_.begin(), result_.end(),
+        [&](const Connection& connection) { return connection.child == image_[child]; });
+    if (found == result_.end() || found->test == AttachTest::user) return;
+    const uint32_t mirrored_parent = image_[found->parent];
+    Connection connection;
+    connection.child = child;
+    connection.parent = mirrored_parent == kNone ? found->parent : mirrored_parent;
+    connection.test = found->test;
+    if (!canHold(connection.parent, child)) return;
+    if (!(overlap(proxies_[child], proxies_[connection.parent]) > -kPlainlyAway)) return;
     placeNearest(connection);
     add(connection);
   }

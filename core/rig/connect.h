@@ -22,9 +22,11 @@ struct ConnectOptions {
 /// Every other part is tested against the earlier ones, not against its own mirror image, and hangs
 /// on the one that it penetrates deepest relative to the radius there, the earlier one on a tie: by
 /// a terminal or junction joint of its own inside the parent's balls and cones; failing that, by an
-/// overlap of the proxies. Then twins that nothing holds are tested against their parts, and at
-/// last what still hangs nowhere against the later parts of other trees: legs that were drawn
-/// before the body are no trees of their own.
+/// overlap of the proxies, or of the bodies where the proxies are too coarse to tell. Where only
+/// one of a pair of twins finds a parent, the other hangs on that one's other side, unless it is
+/// plainly away from it. Then twins that nothing holds are tested against their parts, and at last
+/// what still hangs nowhere against the later parts of other trees: legs that were drawn before the
+/// body are no trees of their own.
 ///
 /// The place is the nearest one over (terminal or junction joint of the child) × (bone or joint of
 /// the parent). Parts without bones of their own (PartSource::skeleton) are children like the

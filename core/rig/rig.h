@@ -27,7 +27,7 @@ struct RigPart {
 enum class AttachEvent : uint8_t { split, connect };  // [RS §3.2, Fig. 9]
 enum class AttachTest : uint8_t {
   joint,    // a terminal or junction joint of the child lies in the parent's proxy
-  overlap,  // the proxies themselves overlap
+  overlap,  // the proxies themselves overlap, or else the bodies
   user,     // the user said so
 };
 const char* toString(AttachEvent event);

@@ -49,21 +49,28 @@ Vec2 ArcCurve::at(double arc) const {
   return lerp(points_[edge], points_[edge + 1 < size() ? edge + 1 : 0], t);
 }
 
-Vec2 ArcCurve::integral(double arc) const {
-  const double turns = std::floor(arc / length());
-  arc = wrap(arc);
-  const size_t edge = find(arc);
+Vec2 ArcCurve::integralOn(size_t edge, double arc) const {
   const double into = arc - starts_[edge], step = starts_[edge + 1] - starts_[edge];
   const Vec2 a = points_[edge], b = points_[edge + 1 < size() ? edge + 1 : 0];
   const Vec2 middle = step > 0 ? lerp(a, b, into / step / 2) : a;
-  return integrals_[edge] + middle * into + integrals_.back() * turns;
+  return integrals_[edge] + middle * into;
+}
+
+Vec2 ArcCurve::integral(double arc) const {
+  if (arc >= 0 && arc < length()) return integralOn(find(arc), arc);
+  const double turns = std::floor(arc / length());
+  arc = wrap(arc);
+  return integralOn(find(arc), arc) + integrals_.back() * turns;
 }
 
 Vec2 ArcCurve::mean(double from, double to) const {
   const double start = wrap(from);
   const size_t edge = find(start);
   if (start + (to - from) <= starts_[edge + 1]) return at(start + (to - from) / 2);
-  return (integral(to) - integral(from)) / (to - from);
+  if (start != from || !(to < length())) return (integral(to) - integral(from)) / (to - from);
+  size_t last = edge;
+  while (last + 1 < size() && starts_[last + 1] <= to) ++last;
+  return (integralOn(last, to) - integralOn(edge, from)) / (to - from);
 }
 
 }  // namespace marrow

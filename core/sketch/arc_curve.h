@@ -28,6 +28,7 @@ class ArcCurve {
   double wrap(double arc) const;
   size_t find(double arc) const;
   Vec2 integral(double arc) const;
+  Vec2 integralOn(size_t edge, double arc) const;
 
   std::vector<Vec2> points_;
   std::vector<double> starts_;   // arc length at each vertex, and the whole

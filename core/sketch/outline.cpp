@@ -86,20 +86,18 @@ class Frame {
  public:
   explicit Frame(const Box& box) : origin_(box.low) {
     std::frexp(std::max(box.size().x, box.size().y), &exponent_);
+    exponent_ = std::max(exponent_, -kMostExponent);
+    scale_ = std::ldexp(1.0, exponent_);
+    inverse_ = std::ldexp(1.0, -exponent_);
   }
-  Vec2 toLocal(Vec2 p) const {
-    const Vec2 moved = p - origin_;
-    return {std::ldexp(moved.x, -exponent_), std::ldexp(moved.y, -exponent_)};
-  }
+  Vec2 toLocal(Vec2 p) const { return (p - origin_) * inverse_; }
   /// About how far apart the numbers are in which the model holds these points.
   double resolution(const Box& box) const {
     const double largest = std::max(
         {std::fabs(box.low.x), std::fabs(box.low.y), std::fabs(box.high.x), std::fabs(box.high.y)});
     return std::ldexp(largest, -52 - exponent_);
   }
-  Vec2 toModel(Vec2 p) const {
-    return {origin_.x + std::ldexp(p.x, exponent_), origin_.y + std::ldexp(p.y, exponent_)};
-  }
+  Vec2 toModel(Vec2 p) const { return origin_ + p * scale_; }
   std::vector<Vec2> toModel(const std::vector<Vec2>& points) const {
     std::vector<Vec2> moved;
     moved.reserve(points.size());
@@ -108,22 +106,26 @@ class Frame {
   }
 
  private:
+  static constexpr int kMostExponent = 1000;  // whose power of two and its inverse are numbers
+
   Vec2 origin_;
   int exponent_ = 0;
+  double scale_ = 1, inverse_ = 1;  // 2^exponent and 2^−exponent
 };
 
 std::vector<Vec2> snapped(const std::vector<Vec2>& points, int bits) {
+  const double scale = std::ldexp(1.0, bits);
   std::vector<Vec2> lattice;
   lattice.reserve(points.size());
   for (const Vec2& p : points) {
-    lattice.push_back(
-        {std::floor(std::ldexp(p.x, bits) + 0.5), std::floor(std::ldexp(p.y, bits) + 0.5)});
+    lattice.push_back({std::floor(p.x * scale + 0.5), std::floor(p.y * scale + 0.5)});
   }
   return lattice;
 }
 
 std::vector<Vec2> unsnapped(std::vector<Vec2> lattice, int bits) {
-  for (Vec2& p : lattice) p = {std::ldexp(p.x, -bits), std::ldexp(p.y, -bits)};
+  const double scale = std::ldexp(1.0, -bits);
+  for (Vec2& p : lattice) p = p * scale;
   return lattice;
 }
 
@@ -131,8 +133,12 @@ std::vector<Vec2> unsnapped(std::vector<Vec2> lattice, int bits) {
 double diameterOf(const std::vector<Vec2>& loop) {
   const auto farthest = [&](Vec2 from) {
     Vec2 best = loop[0];
+    double most = distance(best, from);
     for (const Vec2& p : loop) {
-      if (distance(p, from) > distance(best, from)) best = p;
+      const double here = distance(p, from);
+      if (!(here > most)) continue;
+      best = p;
+      most = here;
     }
     return best;
   };

@@ -22,26 +22,78 @@ bool segmentsMeet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   return turnSign(c, d, a) * turnSign(c, d, b) <= 0;
 }
 
+struct Box {
+  Vec2 low, high;
+};
+
+Box boxOf(Vec2 a, Vec2 b) {
+  return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+}
+
+bool meet(const Box& a, const Box& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
+/// Calls visit(e, f) for pairs of edges e > f, no neighbours, that have a point in common, while it
+/// returns true: runs of edges against runs of edges, by the boxes around them.
+template <typename Visit>
+void forEachMeeting(const std::vector<Vec2>& polygon, Visit visit) {
+  constexpr uint32_t kRun = 6;
+  const auto n = static_cast<uint32_t>(polygon.size());
+  std::vector<Box> edges(n), runs((n + kRun - 1) / kRun);
+  for (uint32_t i = 0; i < n; ++i) {
+    edges[i] = boxOf(polygon[i], polygon[i + 1 < n ? i + 1 : 0]);
+    Box& run = runs[i / kRun];
+    if (i % kRun == 0) run = edges[i];
+    run.low = {std::min(run.low.x, edges[i].low.x), std::min(run.low.y, edges[i].low.y)};
+    run.high = {std::max(run.high.x, edges[i].high.x), std::max(run.high.y, edges[i].high.y)};
+  }
+  for (uint32_t r = 0; r < runs.size(); ++r) {
+    for (uint32_t q = 0; q <= r; ++q) {
+      if (!meet(runs[r], runs[q])) continue;
+      for (uint32_t e = r * kRun; e < std::min(n, (r + 1) * kRun); ++e) {
+        if (!meet(edges[e], runs[q])) continue;
+        // The edge before e is its neighbour; of the last edge the first one is, too.
+        const uint32_t last = std::min((q + 1) * kRun, e > 0 ? e - 1 : 0);
+        for (uint32_t f = e == n - 1 && q == 0 ? 1 : q * kRun; f < last; ++f) {
+          if (meet(edges[e], edges[f]) &&
+              segmentsMeet(polygon[e], polygon[e + 1 < n ? e + 1 : 0], polygon[f],
+                           polygon[f + 1]) &&
+              !visit(e, f)) {
+            return;
+          }
+        }
+      }
+    }
+  }
+}
+
 /// Whether the path a, b, c goes back over itself at b.
 bool turnsBack(Vec2 a, Vec2 b, Vec2 c) {
-  return turnSign(a, b, c) == 0 && ((b.x > a.x) != (c.x > b.x) || b.x == a.x || b.x == c.x) &&
-         ((b.y > a.y) != (c.y > b.y) || b.y == a.y || b.y == c.y);
+  return ((b.x > a.x) != (c.x > b.x) || b.x == a.x || b.x == c.x) &&
+         ((b.y > a.y) != (c.y > b.y) || b.y == a.y || b.y == c.y) && turnSign(a, b, c) == 0;
 }
 
 /// Calls visit(e, f) for pairs of edges that must not touch but do, while it returns true; a pair
 /// may come more than once. False where more than most_pairs pairs had to be looked at.
 template <typename Visit>
 bool forEachFault(const std::vector<Vec2>& polygon, size_t most_pairs, Visit visit) {
+  constexpr uint32_t kFew = 512;  // then runs are faster than a grid
   const auto n = static_cast<uint32_t>(polygon.size());
-  std::vector<EdgeGrid::Edge> edges(n);
   for (uint32_t i = 0; i < n; ++i) {
     const uint32_t next = i + 1 < n ? i + 1 : 0, after = next + 1 < n ? next + 1 : 0;
-    edges[i] = {i, next};
     if (polygon[i] == polygon[next] || turnsBack(polygon[i], polygon[next], polygon[after])) {
       if (!visit(i, next)) return true;
     }
   }
 
+  if (n <= kFew && most_pairs >= kFew * kFew) {
+    forEachMeeting(polygon, visit);
+    return true;
+  }
+
+  std::vector<EdgeGrid::Edge> edges(n);
+  for (uint32_t i = 0; i < n; ++i) edges[i] = {i, i + 1 < n ? i + 1 : 0};
   const EdgeGrid grid(polygon, edges);
   for (uint32_t cell = 0; cell < grid.cellCount(); ++cell) {
     const EdgeGrid::Range here = grid.edgesIn(cell);
@@ -136,12 +188,6 @@ double distanceToBorder(const std::vector<Vec2>& polygon, Vec2 point) {
   return best;
 }
 
-double distanceToSegment(Vec2 a, Vec2 b, Vec2 point) {
-  const Vec2 way = b - a;
-  const double squared = dot(way, way);
-  if (!(squared > 0)) return distance(a, point);
-  const double t = std::min(1.0, std::max(0.0, dot(point - a, way) / squared));
-  return distance(a + way * t, point);
-}
+double distanceToSegment(Vec2 a, Vec2 b, Vec2 point) { return SegmentDistance(a, b).to(point); }
 
 }  // namespace marrow

@@ -1,6 +1,7 @@
 // Predicates and measures of closed polygons (last vertex joins the first, not repeated).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -26,5 +27,20 @@ bool contains(const std::vector<Vec2>& polygon, Vec2 point);
 double distanceToBorder(const std::vector<Vec2>& polygon, Vec2 point);
 /// The smallest distance from `point` to the segment ab.
 double distanceToSegment(Vec2 a, Vec2 b, Vec2 point);
+
+/// distanceToSegment for many points and one segment.
+class SegmentDistance {
+ public:
+  SegmentDistance(Vec2 a, Vec2 b) : a_(a), way_(b - a), squared_(dot(way_, way_)) {}
+  double to(Vec2 point) const {
+    if (!(squared_ > 0)) return distance(a_, point);
+    const double t = std::min(1.0, std::max(0.0, dot(point - a_, way_) / squared_));
+    return distance(a_ + way_ * t, point);
+  }
+
+ private:
+  Vec2 a_, way_;
+  double squared_;
+};
 
 }  // namespace marrow

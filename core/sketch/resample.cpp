@@ -63,8 +63,12 @@ std::vector<size_t> findCorners(const ArcCurve& curve, double step) {
 
 size_t farthestFrom(const std::vector<Vec2>& points, Vec2 from) {
   size_t best = 0;
+  double most = distance(points[0], from);
   for (size_t i = 1; i < points.size(); ++i) {
-    if (distance(points[i], from) > distance(points[best], from)) best = i;
+    const double here = distance(points[i], from);
+    if (!(here > most)) continue;
+    best = i;
+    most = here;
   }
   return best;
 }

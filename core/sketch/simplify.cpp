@@ -51,9 +51,10 @@ struct Farthest {
 /// The vertex strictly between two others, cyclically, that is farthest from their chord.
 Farthest farthestBetween(const std::vector<Vec2>& polygon, uint32_t from, uint32_t to) {
   const auto n = static_cast<uint32_t>(polygon.size());
+  const SegmentDistance chord(polygon[from], polygon[to]);
   Farthest best;
   for (uint32_t i = from + 1 < n ? from + 1 : 0; i != to; i = i + 1 < n ? i + 1 : 0) {
-    const double miss = distanceToSegment(polygon[from], polygon[to], polygon[i]);
+    const double miss = chord.to(polygon[i]);
     if (best.miss < 0 || beats(miss, polygon[i], best.miss, polygon[best.index])) best = {i, miss};
   }
   return best;

@@ -1,4 +1,5 @@
-// The real frame loop: strokes drawn with the mouse in headless Chromium on build/web.
+// The real frame loop: strokes drawn and parts dragged with the mouse in headless Chromium on
+// build/web.
 //
 // The renderer there is software and would hide everything else, so it is our own code that is
 // timed: the pipeline by the app's own clock, and each animation frame's callback as a whole, with
@@ -95,8 +96,45 @@ function sizes(site) {
   });
 }
 
-/// strokes: [{stroke, points}]; the first is drawn again and again on new pages.
-export async function frames(site, strokes, {quick = false} = {}) {
+/// Takes a part by the mouse where one of its joints is, and moves it about. How long each frame's
+/// evaluation took, by the app's own clock.
+async function drag({page, session}, document, {steps}) {
+  await page.evaluate((text) => window.marrow.load(text), document);
+  await page.keyboard.press('f');
+  await page.waitForFunction(() => !window.marrow.stats().camera.moving);
+  await page.keyboard.press('v');
+  const {parts, camera, canvas} = await page.evaluate(() => ({
+    parts: window.marrow.parts().filter((part) => part.joints),
+    camera: window.marrow.stats().camera, canvas: window.marrow.stats().canvas,
+  }));
+  const {position} = parts[parts.length >> 1].joints[0];
+  const place = [canvas.width / 2 + (position[0] - camera.target[0]) * camera.zoom,
+                 canvas.height / 2 - (position[1] - camera.target[1]) * camera.zoom];
+  const send = (type, [x, y], buttons) => session.send('Input.dispatchMouseEvent',
+      {type, x, y, button: type === 'mouseMoved' && !buttons ? 'none' : 'left', buttons,
+       clickCount: 1});
+  const before = await page.evaluate(() => JSON.stringify(window.marrow.document()));
+  await send('mouseMoved', place, 0);
+  await send('mousePressed', place, 1);
+  const times = [];
+  for (let i = 1; i <= steps; ++i) {
+    const angle = 2 * Math.PI * i / 50;
+    await send('mouseMoved', [place[0] + 80 * Math.sin(angle), place[1] + 60 * (1 - Math.cos(angle))],
+               1);
+    times.push(await page.evaluate(() => new Promise((done) => requestAnimationFrame(
+        () => requestAnimationFrame(() => done(window.marrow.stats().evaluation.ms))))));
+  }
+  await send('mouseReleased', [place[0] + 40, place[1]], 0);
+  const after = await page.evaluate(() => JSON.stringify(window.marrow.document()));
+  if (after === before) throw new Error('no part was dragged');
+  times.sort((a, b) => a - b);
+  return {bench: 'dragFrames', strokes: parts.length, frames: times.length,
+          median: times[times.length >> 1], max: times.at(-1)};
+}
+
+/// strokes: [{stroke, points}]; the first is drawn again and again on new pages. character: the
+/// text of a document of many parts, to drag one of them.
+export async function frames(site, strokes, character, {quick = false} = {}) {
   const rows = sizes(site);
   const server = await serve(site);
   const browser = await launch();
@@ -114,6 +152,7 @@ export async function frames(site, strokes, {quick = false} = {}) {
       rows.push({bench: 'frames', ...await draw(tab, stroke)});
       await tab.page.evaluate(() => window.marrow.undo());
     }
+    if (character) rows.push(await drag(tab, character, {steps: quick ? 60 : 200}));
     await tab.context.close();
   } finally {
     await browser.close();

@@ -1,8 +1,11 @@
-// marrow_bench WHAT [--quick]: measures and writes a JSON object a line; times in milliseconds.
+// marrow_bench WHAT [--quick] [FILE…]: measures and writes a JSON object a line; times in
+// milliseconds.
 //   strokes    the strokes that are measured
 //   stages     every stage and the total, per stroke; rivals on its polygon
 //   growth     straight skeletons and the chordal axis as the polygon grows
 //   cold       the first calls in this process
+//   rig        whole characters: to the rig, opened, dragged, refined; FILEs are documents
+//   character  the document of 60 strokes that is dragged and refined
 #include <cstdio>
 #include <cstring>
 #include <map>
@@ -11,6 +14,7 @@
 #include "bench/chordal_axis.h"
 #include "bench/inputs.h"
 #include "bench/measure.h"
+#include "bench/rigs.h"
 #include "part/part.h"
 
 namespace marrow::bench {
@@ -177,7 +181,16 @@ void printStrokes() {
 
 int run(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "";
-  const bool quick = argc > 2 && std::strcmp(argv[2], "--quick") == 0;
+  bool quick = false;
+  std::vector<std::string> files;
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--quick") {
+      quick = true;
+    } else {
+      files.push_back(word);
+    }
+  }
   if (what == "strokes") {
     printStrokes();
   } else if (what == "stages") {
@@ -186,8 +199,13 @@ int run(int argc, char** argv) {
     growth(quick);
   } else if (what == "cold") {
     cold();
+  } else if (what == "character") {
+    print({{"document", characterOfManyParts()}});
+  } else if (what == "rig") {
+    rigs(quick, files);
   } else {
-    std::fprintf(stderr, "marrow_bench strokes|stages|growth|cold [--quick]\n");
+    std::fprintf(stderr,
+                 "marrow_bench strokes|stages|growth|cold|rig|character [--quick] [FILE…]\n");
     return 2;
   }
   return 0;

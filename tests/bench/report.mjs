@@ -178,6 +178,64 @@ function frameTable(figures) {
       table([['file', 'bytes', 'gzip -9', 'brotli'], ...sizes]);
 }
 
+const kCharacter = 8;  // parts, in the targets
+
+/// As if the creature had eight parts.
+const perCharacter = (row) => least(row.ms.total) * kCharacter / row.parts;
+
+function rigTable(figures) {
+  const stages = Object.keys(figures.one('rig').ms);
+  const head = ['character', 'strokes', 'parts', 'joints', ...targets.flatMap((target) =>
+      stages.map((stage, i) => (i === 0 ? `${target}: ${stage}` : stage))),
+                'opened: native', 'wasm'];
+  const rows = figures.all('rig', {target: 'native'}).map(({creature, strokes, parts, joints}) => [
+    creature, String(strokes), String(parts), String(joints),
+    ...targets.flatMap((target) => stages.map((stage) =>
+        number(least(figures.one('rig', {creature, target})?.ms[stage])))),
+    ...targets.map((target) => number(least(figures.one('open', {creature, target})?.ms.total)))]);
+  return `### From strokes to rig, meshes apart (ms; parts with twins, which share skeletons)\n\n${
+    table([head, ...rows])}`;
+}
+
+function updateTable(figures) {
+  const head = ['one update of', 'what changes', ...targets.flatMap((target) =>
+      [`${target}: least`, 'median', 'largest'])];
+  const rows = ['drag', 'slider'].flatMap((bench) => figures.all(bench, {target: 'native'})
+      .flatMap(({creature, ms}) => Object.keys(ms).map((what) => [creature,
+        bench === 'drag' ? "a part's place" : `ε of ${what}`, ...targets.flatMap((target) =>
+            [0, 1, 2].map((i) => number(figures.one(bench, {creature, target})?.ms[what][i])))])));
+  return `### Dragging and refining (ms)\n\n${table([head, ...rows])}`;
+}
+
+function rigTargets(figures, atMost) {
+  const largest = (rows, of) => rows.map((row) => [of(row), row.creature])
+      .sort((a, b) => b[0] - a[0])[0];
+  for (const [target, limit] of [['native', 0.6], ['wasm', 1]]) {
+    const rows = figures.all('rig', {target});
+    const ours = rows.find((row) => row.strokes === kCharacter && row.parts === kCharacter);
+    const others = rows.filter((row) => row !== ours);
+    const [slowest, creature] = largest(others, perCharacter);
+    atMost(`strokes to rig, a character of ${kCharacter} parts, ${target}`, limit, 'ms',
+           least(ours.ms.total), `; per ${kCharacter} parts the others ${
+             number(mean(others.map(perCharacter)))}, slowest ${number(slowest)} (${creature})`);
+  }
+  const most = figures.all('drag', {target: 'wasm'}).sort((a, b) => b.strokes - a.strokes)[0];
+  atMost(`dragging one part among ${most.strokes}, wasm, every frame's evaluation`, 4, 'ms',
+         most.ms.update[2], `, median ${number(most.ms.update[1])}`);
+  const sliders = figures.all('slider', {target: 'wasm'}).sort((a, b) => b.strokes - a.strokes)[0];
+  const [slider, name] = Object.entries(sliders.ms).map(([what, ms]) => [ms[1], what])
+      .sort((a, b) => b[0] - a[0])[0];
+  atMost(`a refinement slider, ${sliders.strokes} strokes, wasm`, 1, 'ms', slider,
+         `, single slowest ${number(Math.max(...Object.values(sliders.ms).map((ms) => ms[2])))} (${
+           name})`);
+  const opened = figures.all('open', {target: 'wasm'});
+  const large = opened.reduce((a, b) => (a.strokes > b.strokes ? a : b));
+  atMost(`opening a document of ${large.strokes} strokes, wasm`, 300, 'ms', large.ms.total[1]);
+  const [slowest, sample] = largest(opened.filter((row) => row !== large),
+                                    (row) => row.ms.total[1]);
+  atMost('opening a sample, the slowest, wasm', 200, 'ms', slowest, ` (${sample})`);
+}
+
 function targetTable(figures) {
   const rows = [['target', 'wanted', 'measured', '']];
   const add = (what, wanted, measured, good) => {
@@ -232,6 +290,12 @@ function targetTable(figures) {
           .map(([ratio, stage]) => `${stage} ${times(ratio)}`).join(', '), ratios[0][0] <= 2);
     }
   }
+  if (figures.has('rig')) rigTargets(figures, atMost);
+  const dragged = figures.one('dragFrames');
+  if (dragged) {
+    atMost(`dragging one part among ${dragged.strokes} in Chromium, every frame's evaluation`, 4,
+           'ms', dragged.max, `, median ${number(dragged.median)} of ${dragged.frames} frames`);
+  }
   if (figures.has('frames')) {
     const frames = figures.all('frames');
     const most = (rows, key) => rows.reduce((a, b) => (a[key] > b[key] ? a : b));
@@ -262,6 +326,7 @@ export function report(rows) {
     sections.push(stageTable(figures), strokeTable(figures), polygonTable(figures));
   }
   if (figures.has('growth')) sections.push(growthTable(figures));
+  if (figures.has('rig')) sections.push(rigTable(figures), updateTable(figures));
   if (figures.has('cold')) sections.push(coldTable(figures));
   if (figures.has('frames')) sections.push(frameTable(figures));
   return sections.join('\n\n');

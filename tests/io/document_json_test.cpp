@@ -326,3 +326,10 @@ TEST_CASE("document file: any broken copy is an error or a sound document", "[do
   }
   REQUIRE(sound > 100);
 }
+
+TEST_CASE("document file: a fault stays on one line, whatever a field is called",
+          "[document_json]") {
+  const auto read = readDocument(
+      withPart(std::string(R"({"refine": {"branches": {"a\nb\u007f": "x"}}, )") + kTriangle + "}"));
+  REQUIRE(read.message() == "parts[0].refine.branches.a b  is not a number.");
+}

@@ -122,17 +122,8 @@ class AnyCommand {
     return ids;
   }
   std::string name() {
-    const char* names[] = {"Leg",
-                           "Leg 2",
-                           "Leg 99999999999999999999",
-                           "",
-                           "Gr\xc3\xb6\xc3\x9f"
-                           "e",
-                           "a\nb",
-                           "\xff",
-                           "7",
-                           " 7",
-                           "x 0"};
+    const char* names[] = {
+        "Leg", "Leg 2", "Leg 99999999999999999999", "", "Größe", "a\nb", "\xff", "7", " 7", "x 0"};
     return names[numbers_.below(static_cast<int>(sizeof names / sizeof names[0]))];
   }
   std::string branch() {

@@ -1,0 +1,56 @@
+#include "part/relief.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace marrow {
+
+Relief::Relief(const Mesh& mesh, const std::vector<double>& depths) {
+  if (mesh.positions.empty()) return;
+  low_ = high_ = {mesh.positions[0].x, mesh.positions[0].y};
+  for (size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Vec3 p = mesh.positions[i];
+    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+    high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
+    highest_ = std::max(highest_, depths[i]);
+  }
+  if (!(high_.x > low_.x && high_.y > low_.y)) return;
+  heights_.assign(kSide * kSide, 0);
+  const Vec2 cell{(high_.x - low_.x) / kSide, (high_.y - low_.y) / kSide};
+  const auto inCells = [&](uint32_t vertex) {
+    const Vec3 p = mesh.positions[vertex];
+    return Vec2{(p.x - low_.x) / cell.x - 0.5, (p.y - low_.y) / cell.y - 0.5};
+  };
+  const auto clamped = [](double value) {
+    return static_cast<int>(std::min(std::max(value, 0.0), static_cast<double>(kSide - 1)));
+  };
+  for (const auto& [i, j, k] : mesh.triangles) {
+    const Vec2 a = inCells(i), b = inCells(j), c = inCells(k);
+    const double whole = cross(b - a, c - a);
+    if (!(whole > 0)) continue;  // of the lower half
+    const int left = clamped(std::ceil(std::min({a.x, b.x, c.x})));
+    const int right = clamped(std::floor(std::max({a.x, b.x, c.x})));
+    const int lower = clamped(std::ceil(std::min({a.y, b.y, c.y})));
+    const int upper = clamped(std::floor(std::max({a.y, b.y, c.y})));
+    for (int y = lower; y <= upper; ++y) {
+      for (int x = left; x <= right; ++x) {
+        const Vec2 p{static_cast<double>(x), static_cast<double>(y)};
+        const double s = cross(c - b, p - b), t = cross(a - c, p - c), u = cross(b - a, p - a);
+        if (s < 0 || t < 0 || u < 0) continue;
+        const double height = (s * depths[i] + t * depths[j] + u * depths[k]) / whole;
+        float& known = heights_[static_cast<size_t>(y * kSide + x)];
+        known = std::max(known, static_cast<float>(height));
+      }
+    }
+  }
+}
+
+double Relief::heightAt(Vec2 p) const {
+  if (heights_.empty()) return 0;
+  if (!(p.x > low_.x && p.x < high_.x && p.y > low_.y && p.y < high_.y)) return 0;
+  const auto x = static_cast<size_t>((p.x - low_.x) / (high_.x - low_.x) * kSide);
+  const auto y = static_cast<size_t>((p.y - low_.y) / (high_.y - low_.y) * kSide);
+  return heights_[std::min<size_t>(y, kSide - 1) * kSide + std::min<size_t>(x, kSide - 1)];
+}
+
+}  // namespace marrow

@@ -1,0 +1,289 @@
+#include "bench/rigs.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/measure.h"
+#include "document/evaluation.h"
+#include "io/document_json.h"
+#include "rig/connect.h"
+#include "skeleton/inside.h"
+#include "support/creatures.h"
+#include "support/strokes.h"
+
+namespace marrow::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void print(const Json& row) { std::printf("%s\n", row.dump().c_str()); }
+
+/// Smallest, median and largest.
+Json toJson(std::vector<double> times_ms) {
+  const Times times = summary(times_ms);
+  return {times.min_ms, times.median_ms, *std::max_element(times_ms.begin(), times_ms.end())};
+}
+
+struct Creature {
+  std::string name, text;
+  Document document;
+};
+
+Creature creatureOf(std::string name, Document document) {
+  return {std::move(name), writeDocument(document), std::move(document)};
+}
+
+/// Eight strokes as a hand draws them.
+Creature fourLegged() {
+  using strokes::Stroke;
+  Random random(8);
+  Document document;
+  const auto add = [&](const char* name, Stroke stroke, Vec3 origin) {
+    auto part = std::make_shared<PartSource>();
+    part->id = partId(takePartNumber(document));
+    part->name = name;
+    part->stroke = strokes::jittered(random, std::move(stroke), 0.3);
+    part->frame.origin = origin;
+    document.parts.push_back(std::move(part));
+  };
+  const auto ellipse = [](double rx, double ry) {
+    Stroke stroke = strokes::disc(1, static_cast<int>(rx));
+    for (Vec2& p : stroke) p = {p.x * rx, p.y * ry};
+    return stroke;
+  };
+  const auto limb = [](Vec2 way, double bend, double half_width) {
+    Stroke axis;
+    for (int i = 0; i <= 35; ++i) {
+      const double t = i / 35.0;
+      axis.push_back(way * t + perpendicular(way) * (bend * t * (1 - t)));
+    }
+    return strokes::tube(axis, half_width);
+  };
+  add("Body", ellipse(170, 75), {});
+  add("Head", ellipse(70, 50), {200, 70, 0});
+  for (const double x : {-110.0, 110.0}) {
+    for (const double z : {-40.0, 40.0}) {
+      add("Leg", limb({0, -160}, x / 800, 18 + z / 20), {x, -10, z});
+    }
+  }
+  add("Tail", limb({-150, 40}, 0.3, 10), {-150, 10, 0});
+  add("Ear", limb({10, 60}, 0.1, 12), {210, 90, 0});
+  return creatureOf("four-legged (8 strokes)", std::move(document));
+}
+
+Creature sixtyParts() {
+  Random random(60);
+  CreatureOptions options;
+  options.points = 100;
+  options.apart = 0.02;
+  return creatureOf("60 strokes", randomCreature(random, 60, options));
+}
+
+/// Documents by their paths.
+std::vector<Creature> samples(const std::vector<std::string>& paths) {
+  std::vector<Creature> all;
+  for (const std::string& path : paths) {
+    const std::string text = strokes::readText(path);
+    auto document = readDocument(text);
+    if (!document) continue;
+    const std::string file = path.substr(path.find_last_of('/') + 1);
+    all.push_back({file.substr(0, file.find('.')), text, std::move(*document)});
+  }
+  return all;
+}
+
+/// What a stroke's skeleton is made of, as buildPart does it.
+struct SubSkeleton {
+  Outline outline;
+  PartSkeleton skeleton;
+};
+
+bool makeSubSkeleton(const std::vector<Vec2>& stroke, SubSkeleton& made,
+                     std::array<double, 4>& stages_ms) {
+  constexpr int kAttempts = 6;
+  OutlineOptions options;
+  Axis axis;
+  double lap_ms = now();
+  const auto lap = [&](size_t stage) {
+    const double now_ms = now();
+    stages_ms[stage] += now_ms - lap_ms;
+    lap_ms = now_ms;
+  };
+  for (int attempt = 1; attempt <= kAttempts; ++attempt, options.tolerance /= 4) {
+    auto outline = makeOutline(stroke, options);
+    if (!outline) return false;
+    made.outline = std::move(*outline);
+    lap(0);
+    auto straight = straightSkeleton(made.outline.polygon);
+    if (!straight) return false;
+    lap(1);
+    auto found = extractAxis(made.outline.polygon, *straight);
+    if (!found) return false;
+    axis = std::move(*found);
+    lap(2);
+    const bool inside = std::all_of(axis.edges.begin(), axis.edges.end(), [&](const auto& edge) {
+      return segmentInside(made.outline.dense, axis.points[edge[0]], axis.points[edge[1]]);
+    });
+    if (inside) break;
+  }
+  auto skeleton =
+      placeJoints(made.outline.polygon, axis, made.outline.scale(), {}, &made.outline.dense);
+  if (!skeleton) return false;
+  made.skeleton = std::move(*skeleton);
+  lap(3);
+  return true;
+}
+
+/// From the strokes to the rig; meshes and proxies are there already.
+void wholeRig(const Creature& creature, Effort effort) {
+  Evaluation evaluation;
+  evaluation.update(creature.document);
+  const std::vector<RigPart> parts = evaluation.rigParts();
+  const char* const names[] = {"outline", "straightSkeleton", "axis",       "joints",
+                               "levels",  "connection",       "refinement", "total"};
+  std::array<std::vector<double>, 8> times;
+  size_t joints = 0;
+  std::vector<SubSkeleton> made(creature.document.parts.size());
+  const double end_ms = now() + effort.budget_ms;
+  for (int run = -1; run < effort.least || now() < end_ms; ++run) {
+    std::array<double, 4> stages_ms{};
+    const double start_ms = now();
+    for (size_t i = 0; i < made.size(); ++i) {
+      (void)makeSubSkeleton(creature.document.parts[i]->stroke, made[i], stages_ms);
+    }
+    const double skeletons_ms = now();
+    for (SubSkeleton& one : made) {
+      for (auto& branch : one.skeleton.branches) {
+        completeLevels(branch, one.outline.polygon, one.outline.scale(), {}, &one.outline.dense);
+      }
+    }
+    const double levels_ms = now();
+    const std::vector<Connection> connections = connectParts(parts);
+    const double connected_ms = now();
+    const Rig rig = refineRig(parts, connections, creature.document.refine);
+    const double refined_ms = now();
+    if (run < 0) continue;
+    joints = rig.joints.size();
+    for (size_t i = 0; i < 4; ++i) times[i].push_back(stages_ms[i]);
+    times[4].push_back(levels_ms - skeletons_ms);
+    times[5].push_back(connected_ms - levels_ms);
+    times[6].push_back(refined_ms - connected_ms);
+    times[7].push_back(refined_ms - start_ms);
+  }
+  Json row{{"bench", "rig"},
+           {"creature", creature.name},
+           {"strokes", creature.document.parts.size()},
+           {"parts", parts.size()},
+           {"joints", joints}};
+  for (size_t i = 0; i < times.size(); ++i) row["ms"][names[i]] = toJson(std::move(times[i]));
+  print(row);
+}
+
+void opening(const Creature& creature, Effort effort) {
+  std::vector<double> read_ms, all_ms;
+  const double end_ms = now() + effort.budget_ms;
+  for (int run = 0; run < effort.least || now() < end_ms; ++run) {
+    const double start_ms = now();
+    auto document = readDocument(creature.text);
+    const double lap_ms = now();
+    Evaluation evaluation;
+    evaluation.update(*document);
+    all_ms.push_back(now() - start_ms);
+    read_ms.push_back(lap_ms - start_ms);
+  }
+  Json row{{"bench", "open"},
+           {"creature", creature.name},
+           {"strokes", creature.document.parts.size()},
+           {"bytes", creature.text.size()}};
+  row["ms"]["read"] = toJson(read_ms);
+  row["ms"]["total"] = toJson(all_ms);
+  print(row);
+}
+
+/// Times `frames` updates, each of the document that `next` makes.
+template <typename Next>
+std::vector<double> updates(const Creature& creature, int frames, Next next) {
+  Evaluation evaluation;
+  evaluation.update(creature.document);
+  std::vector<double> times_ms;
+  for (int frame = 0; frame < frames; ++frame) {
+    const Document document = next(frame);
+    const double start_ms = now();
+    evaluation.update(document);
+    times_ms.push_back(now() - start_ms);
+  }
+  return times_ms;
+}
+
+/// One part at a time to and fro, as far as a hand would, over those that hold it.
+void dragging(const Creature& creature, int frames) {
+  std::vector<double> all_ms;
+  const size_t count = creature.document.parts.size();
+  for (const size_t dragged : {size_t{0}, count / 3, count / 2, count - 1}) {
+    const auto times_ms = updates(creature, frames, [&](int frame) {
+      Document document = creature.document;
+      auto part = std::make_shared<PartSource>(*document.parts[dragged]);
+      const double t = static_cast<double>(frame % 40 - 20);
+      part->frame.origin = part->frame.origin + Vec3{3 * t, 2 * t, t};
+      document.parts[dragged] = std::move(part);
+      return document;
+    });
+    all_ms.insert(all_ms.end(), times_ms.begin(), times_ms.end());
+  }
+  Json row{{"bench", "drag"}, {"creature", creature.name}, {"strokes", count}};
+  row["ms"]["update"] = toJson(std::move(all_ms));
+  print(row);
+}
+
+void sliders(const Creature& creature, int frames) {
+  const std::pair<const char*, std::optional<double> Refinement::*> thresholds[] = {
+      {"simplify", &Refinement::simplify},
+      {"merge", &Refinement::merge},
+      {"prune", &Refinement::prune},
+      {"collapse", &Refinement::collapse}};
+  Json row{{"bench", "slider"},
+           {"creature", creature.name},
+           {"strokes", creature.document.parts.size()}};
+  for (const auto& [name, threshold] : thresholds) {
+    const auto member = threshold;
+    row["ms"][name] = toJson(updates(creature, frames, [&](int frame) {
+      Document document = creature.document;
+      document.refine.*member = static_cast<double>(frame * 7 % 120) / 2;
+      return document;
+    }));
+  }
+  print(row);
+}
+
+}  // namespace
+
+void rigs(bool quick, const std::vector<std::string>& paths) {
+  std::vector<Creature> all = samples(paths);
+  const size_t small = all.size(), large = small + 1;
+  all.push_back(fourLegged());
+  all.push_back(sixtyParts());
+
+  // Until WebAssembly has been compiled for speed.
+  const double warm_ms = now() + (quick ? 1500 : 3000);
+  for (size_t i = 0; now() < warm_ms; ++i) {
+    Evaluation evaluation;
+    evaluation.update(all[i % large].document);
+  }
+  const Effort effort{quick ? 30.0 : 150.0, quick ? 5 : 20};
+  for (const Creature& creature : all) wholeRig(creature, effort);
+  for (const Creature& creature : all) opening(creature, {effort.budget_ms, 3});
+  for (const size_t i : {small, large}) {
+    dragging(all[i], quick ? 40 : 120);
+    sliders(all[i], quick ? 40 : 120);
+  }
+}
+
+std::string characterOfManyParts() { return sixtyParts().text; }
+
+}  // namespace marrow::bench
