@@ -33,7 +33,12 @@ struct PanelsOpen {
   bool view = false;
   bool performance = false;
   bool help = false;
+  bool skeleton = false;    // thresholds: in the part's panel, or in one of their own without it
+  bool attachment = false;  // in the part's panel: where it hangs
 };
+
+/// What the thresholds on the screen are those of.
+enum class RefineScope : uint8_t { branch, part, model };
 
 /// What the primary button, one finger or the pen does on the canvas.
 enum class ToolKind : uint8_t {
@@ -89,6 +94,8 @@ struct UiState {
   bool symmetry = true;           // strokes off the plane of symmetry get a twin
   bool through_selected = false;  // new strokes lie as deep as the selected parts
   Selection selection;
+  RefineScope refine_scope = RefineScope::part;
+  bool attaching = false;  // the next click on a bone or a part says where the selected part hangs
   std::optional<PendingEdit> edit;
   std::optional<Toast> toast;
   double hint_since_ms = -1;  // when the invitation appeared; −1: not yet

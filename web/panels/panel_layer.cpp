@@ -82,6 +82,7 @@ void PanelLayer::pointer(const PointerEvent& event) {
   switch (event.type) {
     case PointerEvent::Type::down:
       io.MouseDown[0] = event.button == Button::primary;
+      io.KeyShift = event.shift;
       touch_lifted_ = false;
       // Without this the distance from the last touch would count as a drag.
       if (!mouse) io.MousePosPrev = io.MousePos;
@@ -139,9 +140,11 @@ Requests PanelLayer::frame(const PanelInput& input, UiState& ui) {
   drawToolbar(input, ui, requests);
   drawToolPanel(input, ui, requests);
   drawViewControls(input, ui, requests);
+  drawPartsPanel(input, ui, requests);
   drawHelpPanel(input, ui, requests);
   drawPerformancePanel(input, ui, requests);
   drawPartPanel(input, ui, requests);
+  drawRefinePanel(input, ui, requests);
   drawToast(input, ui, requests);
   ImGui::Render();
 
