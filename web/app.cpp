@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "document/depth.h"
 #include "document/symmetry.h"
 #include "io/document_json.h"
 #include "pick.h"
@@ -251,8 +252,10 @@ bool App::escape() {
     document_changed_ = true;
   } else if (ui_.edit) {
     closeEdit();
+  } else if (ui_.attaching) {
+    ui_.attaching = false;
   } else if (ui_.open.anySheet()) {
-    ui_.open = PanelsOpen{ui_.open.part, ui_.open.parts, false, false, false};
+    ui_.open.closeSheets();
   } else if (!ui_.selection.empty()) {
     ui_.selection.clear();
   } else {
@@ -292,6 +295,12 @@ bool App::handleCharacter(char character) {
       break;
     case 'H':
       toggleVisible(true);
+      break;
+    case '[':
+      layer(false);
+      break;
+    case ']':
+      layer(true);
       break;
     case 'm':
       ui_.symmetry = !ui_.symmetry;
@@ -356,6 +365,19 @@ void App::toggleVisible(bool show_all) {
   }
   if (!show_all) ids = ui_.selection.ids;
   if (!ids.empty()) apply(SetVisible{ids, show_all});
+}
+
+void App::layer(bool nearer) {
+  if (ui_.selection.empty()) return;
+  TransformParts move{ui_.selection.ids, {}, "Move"};
+  const auto way = layerMove(evaluation_, ui_.selection.ids, ui_.camera.axes()[2], nearer);
+  if (way) {
+    move.map.move = *way;
+    apply(move);
+  } else {
+    say(nearer ? "No part that it covers lies further in front."
+               : "No part that it covers lies further back.");
+  }
 }
 
 void App::applyRequests() {
@@ -526,7 +548,48 @@ void App::updateLivePart() {
   next_preview_ms_ = took_ms > 8 ? ui_.now_ms + took_ms / kPreviewShare : 0;
 }
 
+// Where the bones or the surface of another part lie under the pixel.
+void App::attachAt(Vec2 pixel) {
+  ui_.attaching = false;
+  const std::string child = sourceId(ui_.selection.primary());
+  const Rig& rig = evaluation_.rig();
+  std::optional<size_t> on;
+  Vec3 place;
+  const double reach = ui_.touch() ? kBoneTouch_px : kBoneReach_px;
+  if (const auto joint = boneAt(pixel, evaluation_, ui_.camera, ui_.size, reach)) {
+    const Rig::Joint& end = rig.joints[*joint];
+    const Vec3 start =
+        end.parent < 0 ? end.position : rig.joints[static_cast<size_t>(end.parent)].position;
+    const Vec2 a = ui_.camera.toScreen(start, ui_.size);
+    const Vec2 way = ui_.camera.toScreen(end.position, ui_.size) - a;
+    const double along = dot(way, way) > 0 ? dot(pixel - a, way) / dot(way, way) : 0;
+    on = end.part;
+    place = lerp(start, end.position, std::clamp(along, 0.0, 1.0));
+  }
+  const auto isChild = [&](size_t placed) {
+    return sourceId(evaluation_.placed()[placed].id) == child;
+  };
+  if (!on || isChild(*on)) {
+    if (const auto hit = surfaceAt(pixel, evaluation_, ui_.camera, ui_.size)) {
+      on = hit->placed;
+      place = hit->position;
+    }
+  }
+  if (!on || isChild(*on)) {
+    say("There is no other part. Press \xE2\x80\x9C"
+        "Attach to\xE2\x80\x9D and try again.");
+    return;
+  }
+  const PlacedPart& parent = evaluation_.placed()[*on];
+  const Vec3 at = parent.frame.toLocal(place);
+  apply(SetAttachment{child, Attachment{parent.id, {at.x, at.y}}});
+}
+
 void App::click(Vec2 pixel, bool shift) {
+  if (ui_.attaching) {
+    attachAt(pixel);
+    return;
+  }
   const bool had_selection = !ui_.selection.empty();
   std::string id, branch;
   if (ui_.show.bones) {

@@ -96,10 +96,12 @@ class App {
   void transformByKey(TransformKind kind);
   void useTool(ToolKind tool);
   void toggleVisible(bool show_all);
+  void layer(bool nearer);
   void update();
   void forgetWhatIsGone();
   void updateLivePart();
   void click(Vec2 pixel, bool shift);
+  void attachAt(Vec2 pixel);
   Hand::World world() const { return {document(), evaluation_, ground()}; }
   Vec3 ground() const;
   void replace(Document document, const Origin& origin, const std::string& step);

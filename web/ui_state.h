@@ -38,9 +38,16 @@ struct PanelsOpen {
   bool gallery = false;
   bool picture = false;  // to draw after
 
+  bool skeleton = false;    // thresholds: in the part's panel, or in one of their own without it
+  bool attachment = false;  // in the part's panel: where it hangs
+
   /// Those that Esc closes.
   bool anySheet() const { return view || performance || help || file || gallery || picture; }
+  void closeSheets() { view = performance = help = file = gallery = picture = false; }
 };
+
+/// What the thresholds on the screen are those of.
+enum class RefineScope : uint8_t { branch, part, model };
 
 /// What the primary button, one finger or the pen does on the canvas.
 enum class ToolKind : uint8_t {
@@ -96,6 +103,8 @@ struct UiState {
   bool symmetry = true;           // strokes off the plane of symmetry get a twin
   bool through_selected = false;  // new strokes lie as deep as the selected parts
   Selection selection;
+  RefineScope refine_scope = RefineScope::part;
+  bool attaching = false;  // the next click on a bone or a part says where the selected part hangs
   std::optional<PendingEdit> edit;
   std::optional<Toast> toast;
   double hint_since_ms = -1;      // when the invitation appeared; −1: not yet
@@ -109,8 +118,11 @@ struct UiState {
   bool narrow() const { return size.width < 700; }
   /// Opens one sheet and closes the others, but for the selected part's.
   void openOnly(bool PanelsOpen::*sheet) {
-    const bool part = open.part && !narrow();
-    open = PanelsOpen{part, false, false, false, false};
+    const PanelsOpen before = open;
+    open = PanelsOpen{};
+    open.part = before.part && !narrow();
+    open.skeleton = before.skeleton && !narrow();
+    open.attachment = before.attachment && !narrow();
     open.*sheet = true;
   }
   /// Fingers need larger targets than a mouse.

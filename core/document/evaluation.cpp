@@ -8,6 +8,16 @@
 #include "rig/connect.h"
 
 namespace marrow {
+namespace {
+
+/// Whether nothing changed that decides where parts hang.
+bool hangsAsBefore(const EvaluatedPart& before, const EvaluatedPart& now) {
+  const PartSource &was = *before.source, &is = *now.source;
+  return was.id == is.id && before.part == now.part && was.frame == is.frame &&
+         was.mirror == is.mirror && was.skeleton == is.skeleton && was.attachment == is.attachment;
+}
+
+}  // namespace
 
 Evaluation::Evaluation(PartOptions options, Clock clock)
     : options_(std::move(options)), clock_(clock) {}
@@ -20,14 +30,16 @@ void Evaluation::update(const Document& document) {
   timings_ = {};
   std::vector<EvaluatedPart> parts;
   parts.reserve(document.parts.size());
-  bool same = rig_id_ > 0 && parts_.size() == document.parts.size() && refine_ == document.refine;
+  bool same_places = rig_id_ > 0 && parts_.size() == document.parts.size();
+  bool same = same_places && refine_ == document.refine;
   for (const auto& source : document.parts) {
-    same = same && parts_[parts.size()].source == source;
     const auto found = before.find(source->id);
     parts.push_back(evaluate(source, found == before.end() ? nullptr : found->second));
+    if (same) same = parts_[parts.size() - 1].source == source;
+    if (same_places) same_places = hangsAsBefore(parts_[parts.size() - 1], parts.back());
   }
   parts_ = std::move(parts);
-  if (!same) updateRig(document);
+  if (!same) updateRig(document, same_places);
 }
 
 EvaluatedPart Evaluation::evaluate(const std::shared_ptr<const PartSource>& source,
@@ -65,15 +77,15 @@ EvaluatedPart Evaluation::rebuild(const std::shared_ptr<const PartSource>& sourc
   return next;
 }
 
-void Evaluation::updateRig(const Document& document) {
+void Evaluation::updateRig(const Document& document, bool same_places) {
   placed_ = placedParts(document);
   refine_ = document.refine;
   Timings timings;
   Stopwatch watch(clock_, timings);
   const std::vector<RigPart> parts = rigParts();
-  const std::vector<Connection> connections = connectParts(parts);
+  if (!same_places) connections_ = connectParts(parts);
   watch.lap("connection");
-  Rig rig = refineRig(parts, connections, refine_);
+  Rig rig = refineRig(parts, connections_, refine_);
   watch.lap("refinement");
   timings_.add(timings);
   if (rig_id_ > 0 && rig == rig_) return;

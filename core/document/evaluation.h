@@ -54,13 +54,14 @@ class Evaluation {
   EvaluatedPart evaluate(const std::shared_ptr<const PartSource>& source,
                          const EvaluatedPart* before);
   EvaluatedPart rebuild(const std::shared_ptr<const PartSource>& source);
-  void updateRig(const Document& document);
+  void updateRig(const Document& document, bool same_places);
 
   PartOptions options_;
   Clock clock_;
   std::vector<EvaluatedPart> parts_;
   std::vector<PlacedPart> placed_;
   Refinement refine_;
+  std::vector<Connection> connections_;
   Rig rig_;
   Timings timings_;
   size_t recomputed_ = 0;

@@ -155,8 +155,10 @@ std::string JointNames::name(uint32_t part, uint32_t branch, double u) const {
     ++number;
     counted = counted || place == u;
   };
+  auto taken = on.places.begin();
   for (const uint32_t place : at) {
-    if (!std::binary_search(on.places.begin(), on.places.end(), place)) count(place);
+    while (taken != on.places.end() && *taken < place) ++taken;
+    if (taken == on.places.end() || *taken != place) count(place);
   }
   for (const double place : on.places) count(place);
   if (!on.from_start) --number;

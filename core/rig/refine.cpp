@@ -122,6 +122,9 @@ class Refining {
 
   void addJoints() {
     joint_of_.assign(joined_.nodes.size(), -1);
+    for (const RigPart& part : parts_) ids_.push_back(quoted(part.placed->id));
+    rig_.joints.reserve(2 * joined_.nodes.size());
+    clusters_.reserve(2 * joined_.nodes.size());
     size_t way = 0;
     for (const uint32_t root : joined_.roots) {
       rig_.roots.push_back(static_cast<uint32_t>(rig_.joints.size()));
@@ -244,11 +247,11 @@ class Refining {
 
   int32_t addNode(uint32_t node, int32_t parent) {
     const Node& at = joined_.nodes[node];
-    std::string id = quoted(parts_[at.part].placed->id);
+    std::string id = ids_[at.part];
     if (at.branch == kNone) {
       id += "/n" + std::to_string(at.joint);
     } else {
-      id += "/a:" + quoted(parts_[at.hangs].placed->id);
+      id += "/a:" + ids_[at.hangs];
     }
     joint_of_[node] =
         addJoint(std::move(id), names_.ofNode(node), at.part, names_.branchOf(node), parent);
@@ -257,7 +260,7 @@ class Refining {
   }
 
   int32_t addSample(const Candidate& at, int32_t parent) {
-    std::string id = quoted(parts_[at.part].placed->id);
+    std::string id = ids_[at.part];
     id += '/' + branchKey(at.branch) + '.' + std::to_string(at.sample);
     const int32_t joint = addJoint(std::move(id), names_.ofSample(at.part, at.branch, at.sample),
                                    at.part, at.branch, parent);
@@ -381,6 +384,7 @@ class Refining {
   const JointNames names_;
   std::vector<Thresholds> thresholds_;  // by part
   std::vector<double> epsilons_;        // by part, at the reference perimeter
+  std::vector<std::string> ids_;        // by part
   std::vector<int32_t> joint_of_;       // by node: of the rig, −1 where it is no end of a way
   std::vector<Candidate> candidates_;
   std::vector<char> crowded_;

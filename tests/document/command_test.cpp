@@ -1,6 +1,7 @@
 #include "document/command.h"
 
 #include <limits>
+#include <map>
 
 #include "io/document_json.h"
 #include "support/catch.h"
@@ -146,4 +147,118 @@ TEST_CASE("command: steps are named for the menu", "[command]") {
   REQUIRE(describe(document, DeleteParts{{"part-3"}}) == "Delete Tail");
   document = must(apply(document, DeleteParts{{"part-3"}}));
   REQUIRE(describe(document, AddPart{}) == "Draw part 4");
+}
+
+TEST_CASE("command: steps of every kind have names of their own", "[command]") {
+  Document document = drawnDocument(3);
+  document = must(apply(document, RenamePart{"part-2", "Leg"}));
+  const auto name = [&](const Command& command) { return describe(document, command); };
+  const auto merge = &Refinement::merge, prune = &Refinement::prune;
+  Reference reference;
+  reference.image = std::make_shared<const std::string>("data:image/png;base64,AAAA");
+  const std::pair<std::string, Command> names[] = {
+      {"Move Leg", TransformParts{{"part-2"}, {}}},
+      {"Turn Leg", TransformParts{{"part-2", "part-2:twin"}, {}, "Turn"}},
+      {"Scale 2 parts", TransformParts{{"part-2", "part-1"}, {}, "Scale"}},
+      {"Delete 3 parts", DeleteParts{{"part-1", "part-2", "part-3"}}},
+      {"Duplicate Leg", DuplicateParts{{"part-2"}, {}}},
+      {"Hide Leg", SetVisible{{"part-2"}, false}},
+      {"Show Leg", SetVisible{{"part-2"}, true}},
+      {"Lock Leg", SetLocked{{"part-2"}, true}},
+      {"Unlock Leg", SetLocked{{"part-2"}, false}},
+      {"No skeleton for Leg", SetSkeleton{{"part-2"}, false}},
+      {"Skeleton for Leg", SetSkeleton{{"part-2"}, true}},
+      {"Reshape Leg", SetStroke{"part-2", {}}},
+      {"Mirror Leg", SetMirror{{"part-2"}, Plane{}}},
+      {"No mirror for Leg", SetMirror{{"part-2"}, {}}},
+      {"Separate twins of Leg", SeparateTwins{{"part-2"}}},
+      {"Set symmetry plane", SetSymmetry{Plane{}}},
+      {"Remove symmetry plane", SetSymmetry{}},
+      {"Merge joints everywhere", SetRefinement{{}, "", merge, 5}},
+      {"Merge joints of Leg", SetRefinement{{"part-2"}, "", merge, 5}},
+      {"Prune 2 parts", SetRefinement{{"part-2", "part-3"}, "", prune, 5}},
+      {"Simplify a branch of Leg", SetRefinement{{"part-2"}, "b0", &Refinement::simplify, 5}},
+      {"Reset refinement", ResetRefinement{}},
+      {"Reset refinement of Leg", ResetRefinement{{"part-2"}, "", false}},
+      {"Attach Leg to part 1", SetAttachment{"part-2", Attachment{"part-1", {}}}},
+      {"Detach Leg", SetAttachment{"part-2", Attachment{}}},
+      {"Attach Leg by itself", SetAttachment{"part-2", {}}},
+      {"Begin at Leg", SetRoot{"part-2", {}}},
+      {"Add picture", SetReference{reference}},
+      {"Remove picture", SetReference{}}};
+  for (const auto& [expected, command] : names) REQUIRE(name(command) == expected);
+  document = must(apply(document, SetReference{reference}));
+  REQUIRE(name(SetReference{reference}) == "Change picture");
+}
+
+TEST_CASE("command: what is locked stays until it is unlocked", "[command]") {
+  Document document = drawnDocument(2);
+  document = must(apply(document, RenamePart{"part-2", "Leg\n2"}));
+  document = must(apply(document, SetLocked{{"part-2"}, true}));
+  const Command commands[] = {DeleteParts{{"part-2"}},
+                              TransformParts{{"part-2"}, {}},
+                              SetThickness{{"part-2"}, 2},
+                              SetColor{{"part-2"}, {1, 2, 3}},
+                              SetSkeleton{{"part-2"}, false},
+                              SetStroke{"part-2", softStar(3, 30)},
+                              SetMirror{{"part-2"}, Plane{}},
+                              SeparateTwins{{"part-2"}},
+                              simplify("part-2", 3),
+                              ResetRefinement{{"part-2"}, ""},
+                              SetAttachment{"part-2", Attachment{}}};
+  for (const Command& command : commands) {
+    const auto refused = apply(document, command);
+    REQUIRE(refused.status() == Status::locked);
+    REQUIRE(refused.message() == "Leg 2 is locked. Unlock it to change it.");
+  }
+  const Document one_left = must(apply(document, DeleteParts{{"part-1", "part-2"}}));
+  REQUIRE(one_left.parts.size() == 1);
+  REQUIRE(one_left.parts[0] == document.parts[1]);
+  REQUIRE_FALSE(must(apply(document, SetVisible{{"part-2"}, false})).parts[1]->visible);
+  document = must(apply(document, SetLocked{{"part-1", "part-2"}, true}));
+  REQUIRE(apply(document, DeleteParts{{"part-1", "part-2"}}).message() ==
+          "These parts are locked. Unlock them to change them.");
+  document = must(apply(document, SetLocked{{"part-1", "part-2"}, false}));
+  REQUIRE(must(apply(document, DeleteParts{{"part-1", "part-2"}})).parts.empty());
+}
+
+TEST_CASE("command: a threshold is set where it is asked for, and reset with all within",
+          "[command]") {
+  Document document = drawnDocument(2);
+  document = must(apply(document, SetRefinement{{}, "", &Refinement::prune, 40}));
+  document = must(apply(document, SetRefinement{{"part-1"}, "", &Refinement::collapse, 1e9}));
+  document = must(apply(document, SetRefinement{{"part-1"}, "b1", &Refinement::simplify, 7}));
+  document = must(apply(document, SetRefinement{{"part-1"}, "b2", &Refinement::simplify, 8}));
+  document = must(apply(document, SetRefinement{{"part-1"}, "b2", &Refinement::merge, 9}));
+  REQUIRE(document.refine.prune == 40);
+  REQUIRE(document.parts[0]->refine.collapse == Refinement::kLargest);
+  REQUIRE(document.parts[0]->branches == std::map<std::string, double>{{"b1", 7}, {"b2", 8}});
+  REQUIRE(document.parts[1]->refine == Refinement{});
+
+  const Document branch = must(apply(document, ResetRefinement{{"part-1"}, "b1", false}));
+  REQUIRE(branch.parts[0]->branches == std::map<std::string, double>{{"b2", 8}});
+  const Document part = must(apply(document, ResetRefinement{{"part-1"}, "", false}));
+  REQUIRE(part.parts[0]->refine == Refinement{});
+  REQUIRE(part.parts[0]->branches.size() == 2);
+  REQUIRE(must(apply(document, ResetRefinement{{"part-1"}, "", true})).parts[0]->branches.empty());
+  const Document model = must(apply(document, ResetRefinement{}));
+  REQUIRE(model.refine == Refinement{});
+  REQUIRE(model.parts == document.parts);
+  const Document all = must(apply(document, ResetRefinement{{}, "", true}));
+  REQUIRE(all.refine == Refinement{});
+  REQUIRE(all.parts[0]->refine == Refinement{});
+  REQUIRE(all.parts[0]->branches.empty());
+  REQUIRE(all.parts[1] == document.parts[1]);
+}
+
+TEST_CASE("command: no more branches can be set apart than can be saved", "[command]") {
+  Document document = drawnDocument(1);
+  const auto set = [&](size_t branch) {
+    return apply(document,
+                 SetRefinement{{"part-1"}, "b" + std::to_string(branch), &Refinement::simplify, 5});
+  };
+  for (size_t i = 0; i < PartSource::kMostBranches; ++i) document = must(set(i));
+  REQUIRE(set(PartSource::kMostBranches).status() == Status::tooMany);
+  REQUIRE(set(7));
+  REQUIRE(readDocument(writeDocument(document)));
 }

@@ -78,7 +78,7 @@ class Bytes {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  constexpr size_t kMostSteps = 40;
+  constexpr size_t kMostSteps = 30;
   Bytes bytes(data, size);
   Random random(static_cast<uint64_t>(bytes.byte()));
   History history(randomCreature(random, bytes.below(5), {12}));
@@ -92,10 +92,12 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       continue;
     }
     texts.push_back(writeDocument(*next));
-    const std::string fault = faultOf(*next, texts.back());
+    const std::string fault = ruleBrokenBy(*next);
     check(fault.empty(), describe(before, command) + " gives a sound document: " + fault);
     history.push(*next, describe(before, command));
   }
+  // Every document on the way is the last one of a shorter input.
+  check(faultOf(history.current()).empty(), "sound: " + faultOf(history.current()));
   for (size_t i = texts.size(); i-- > 1;) {
     history.undo();
     check(writeDocument(history.current()) == texts[i - 1], "undo brings back");

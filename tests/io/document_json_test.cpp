@@ -5,6 +5,7 @@
 
 #include "document/command.h"
 #include "support/catch.h"
+#include "support/creatures.h"
 #include "support/drawings.h"
 
 using namespace marrow;
@@ -239,6 +240,37 @@ TEST_CASE("document file: a fault is said in one sentence that says where", "[do
       {withPart(R"({"refine": 5, )" + triangle + "}"), "parts[0].refine is not an object."},
       {withPart(R"({"refine": {"simplify": true}, )" + triangle + "}"),
        "parts[0].refine.simplify is not a number."},
+      {withPart(R"({"id": "a:twin", )" + triangle + "}"), "parts[0].id holds a colon."},
+      {withPart(R"({"frame": {"x": [0, 0, 0]}, )" + triangle + "}"),
+       "parts[0].frame is no plane: x and y are zero or parallel."},
+      {withPart(R"({"frame": {"y": [3, 0, 0]}, )" + triangle + "}"),
+       "parts[0].frame is no plane: x and y are zero or parallel."},
+      {withPart(R"({"frame": {"origin": [0, 1]}, )" + triangle + "}"),
+       "parts[0].frame.origin is not a list of 3 numbers."},
+      {withPart(R"({"frame": {"origin": [0, 1, 1e51]}, )" + triangle + "}"),
+       "parts[0].frame.origin is too far away."},
+      {withPart(R"({"frame": {"x": [1e50, 0, 0], "y": [0, 1e50, 0]}, )" + triangle + "}"),
+       "parts[0].frame puts the stroke too far away."},
+      {withPart(R"({"mirror": {"plane": [0, 0, 0, 1]}, )" + triangle + "}"),
+       "parts[0].mirror.plane is no plane."},
+      {withPart(R"({"mirror": {}, )" + triangle + "}"), "parts[0].mirror.plane is missing."},
+      {withPart(R"({"visible": 1, )" + triangle + "}"),
+       "parts[0].visible is neither true nor false."},
+      {withPart(R"({"attachment": {"part": 1}, )" + triangle + "}"),
+       "parts[0].attachment.part is not a text."},
+      {R"({"format": "marrow", "version": 1, "symmetry": 5})", "symmetry is not an object."},
+      {R"({"format": "marrow", "version": 1, "refine": {"prune": []}})",
+       "refine.prune is not a number."},
+      {R"({"format": "marrow", "version": 1, "references": [3]})",
+       "references[0] is not an object."},
+      {R"({"format": "marrow", "version": 1, "references": [{"image": "x"}]})",
+       "references[0].image is no PNG, JPEG or WebP picture of up to 16 MB as a data URL."},
+      {R"({"format": "marrow", "version": 1, "references": [{"image": "data:image/png;base64,AAAA"},)"
+       R"({"image": "data:image/png;base64,AAAA", "view": "front"}]})",
+       "references[1].view is used twice."},
+      {R"({"format": "marrow", "version": 1, "references": [{"view": "back",)"
+       R"("image": "data:image/png;base64,AAAA"}]})",
+       "references[0].view is neither \"front\", \"right\" nor \"top\"."},
   };
   for (const auto& [text, sentence] : faults) {
     CAPTURE(text);
@@ -332,4 +364,71 @@ TEST_CASE("document file: a fault stays on one line, whatever a field is called"
   const auto read = readDocument(
       withPart(std::string(R"({"refine": {"branches": {"a\nb\u007f": "x"}}, )") + kTriangle + "}"));
   REQUIRE(read.message() == "parts[0].refine.branches.a b  is not a number.");
+}
+
+TEST_CASE("document file: a frame that is none yet becomes one, and the stroke stays in place",
+          "[document_json]") {
+  const Document document = must(withPart(
+      R"({"frame": {"origin": [1, 2, 3], "x": [2, 0, 0], "y": [1, 0, 0.5]}, "thickness": 1.5, )" +
+      std::string(kTriangle) + "}"));
+  const PartSource& part = *document.parts[0];
+  REQUIRE(part.frame.scale() == 1);
+  REQUIRE(part.frame.x == Vec3{1, 0, 0});
+  REQUIRE(part.frame.y == Vec3{0, 0, 1});
+  REQUIRE(part.stroke == std::vector<Vec2>{{0, 0}, {18, 0}, {9, 4.5}});
+  REQUIRE(part.thickness == 1.5);
+  REQUIRE(must(writeDocument(document)).parts[0]->stroke == part.stroke);
+}
+
+TEST_CASE("document file: a sound frame is kept to the bit", "[document_json]") {
+  Random random(12);
+  for (int run = 0; run < 100; ++run) {
+    const Document document = randomCreature(random, 1 + random.below(10), {20});
+    const Document read = must(writeDocument(document));
+    for (size_t i = 0; i < read.parts.size(); ++i) {
+      REQUIRE(read.parts[i]->frame == document.parts[i]->frame);
+      REQUIRE(read.parts[i]->stroke == document.parts[i]->stroke);
+      REQUIRE(read.parts[i]->mirror == document.parts[i]->mirror);
+      REQUIRE(read.parts[i]->attachment == document.parts[i]->attachment);
+      REQUIRE(read.parts[i]->refine == document.parts[i]->refine);
+      REQUIRE(read.parts[i]->skeleton == document.parts[i]->skeleton);
+      REQUIRE(read.parts[i]->visible == document.parts[i]->visible);
+      REQUIRE(read.parts[i]->root == document.parts[i]->root);
+    }
+    REQUIRE(read.symmetry == document.symmetry);
+    REQUIRE(read.last_part == document.last_part);
+  }
+}
+
+TEST_CASE("document file: a plane gets a unit normal", "[document_json]") {
+  const Document document =
+      must(R"({"format": "marrow", "version": 1, "symmetry": {"plane": [0, 0, -4, 2]}})");
+  REQUIRE(document.symmetry == Plane{{0, 0, -1}, 0.5});
+}
+
+TEST_CASE("document file: as many unknown fields as can be written again", "[document_json]") {
+  const auto fields = [](int count) {
+    std::string text = R"({"format": "marrow", "version": 1)";
+    for (int i = 0; i < count; ++i) text += ",\"u" + std::to_string(i) + "\": 0";
+    return text + "}";
+  };
+  REQUIRE(writeDocument(must(writeDocument(must(fields(900))))) ==
+          writeDocument(must(fields(900))));
+  REQUIRE(readDocument(fields(990)).message() == "It has too many fields.");
+}
+
+TEST_CASE("document file: parts beyond any drawing are refused", "[document_json]") {
+  std::string parts = "{" + std::string(kTriangle) + "}";
+  for (size_t i = 0; i < Document::kMostParts; ++i) parts += ",{\"stroke\":{\"points\":[]}}";
+  REQUIRE(readDocument(withPart(parts)).message() == "parts are more than a drawing holds.");
+}
+
+TEST_CASE("document file: the last number of all is no dead end", "[document_json]") {
+  Document document = must(R"({"format": "marrow", "version": 1, "lastPart": 999999999999999})");
+  for (const char* id : {"part-1", "part-2"}) {
+    const auto next = apply(document, AddPart{softStar(3, 50)});
+    REQUIRE(next);
+    REQUIRE(next->parts.back()->id == id);
+    document = must(writeDocument(*next));
+  }
 }

@@ -43,9 +43,8 @@ inline std::string faultOf(const PartSource& part) {
   return {};
 }
 
-/// What is wrong with the document, or with reading `text`, which was written of it; empty:
-/// nothing.
-inline std::string faultOf(const Document& document, const std::string& text) {
+/// What is wrong with the document; empty: nothing.
+inline std::string ruleBrokenBy(const Document& document) {
   std::set<std::string> ids;
   if (document.parts.size() > Document::kMostParts) return "too many parts";
   for (const auto& part : document.parts) {
@@ -70,13 +69,18 @@ inline std::string faultOf(const Document& document, const std::string& text) {
   for (const auto& part : document.parts) twins += part->mirror ? 1 : 0;
   if (placedParts(document).size() != document.parts.size() + twins) return "placed parts";
 
+  return {};
+}
+
+/// What is wrong with the document, or with writing and reading it; empty: nothing.
+inline std::string faultOf(const Document& document) {
+  const std::string rule = ruleBrokenBy(document);
+  if (!rule.empty()) return rule;
+  const std::string text = writeDocument(document);
   const auto again = readDocument(text);
   if (!again) return "written, but not read: " + again.message();
   if (writeDocument(*again) != text) return "written otherwise after reading";
   return {};
-}
-inline std::string faultOf(const Document& document) {
-  return faultOf(document, writeDocument(document));
 }
 
 }  // namespace marrow

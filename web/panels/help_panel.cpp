@@ -5,11 +5,56 @@
 namespace marrow {
 namespace {
 
-void entry(const char* what, const char* how) {
-  ImGui::TextUnformatted(what);
-  ImGui::SameLine(104);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 4));
-  softText(how);
+struct Entry {
+  const char *what, *how;
+};
+
+constexpr Entry kFingers[] = {
+    {"Draw", "one finger or a pen, with the pencil"},
+    {"Select", "tap a part or a bone"},
+    {"Look around", "twist two fingers, drag three, or drag the ball in the corner"},
+    {"Zoom", "pinch; drag two fingers to move the view"},
+    {"Move a part", "the arrow tool: drag the part, or its handles to turn and scale it"},
+    {"Undo", "the arrow at the top left; every step comes back"},
+};
+constexpr Entry kDrawing[] = {
+    {"Draw  B", "drag a closed shape, from any side"},
+    {"Shift", "held at the start of a stroke: as deep as the selected part"},
+    {"Outline  C", "draw over a stretch of the selected part; C again: drag its points"},
+    {"Symmetry  M", "limbs get a twin on the other side"},
+    {"Line  L", "draw the line of symmetry; half a shape along it is completed"},
+    {"Esc", "gives up what is under your hand, then lets go of the selection"},
+    {"Undo  Ctrl Z", "redo: Shift Ctrl Z or Ctrl Y"},
+};
+constexpr Entry kParts[] = {
+    {"Select  V", "click; Shift click adds; drag beside the parts for a box; Ctrl A: all"},
+    {"Move  G", "then X, Y or Z for an axis, a number, Enter; Esc or right click: never mind"},
+    {"Turn  R", "the same"},
+    {"Scale  S", "the same"},
+    {"Copy", "Shift D"},
+    {"Layer  [  ]", "behind or in front of the next part"},
+    {"Hide  H", "Shift H shows everything"},
+    {"Delete  X", "or the Delete key"},
+};
+constexpr Entry kLooking[] = {
+    {"Turn", "right button, or Alt and drag, or the ball in the corner"},
+    {"Move", "middle button"},
+    {"Zoom", "wheel"},
+    {"Views", "1 front, 3 right, 7 top"},
+    {"Everything", "F or Home"},
+};
+
+template <size_t n>
+void section(const char* title, const Entry (&entries)[n], float indent) {
+  ImGui::Dummy({0, 2});
+  heading(title);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 5));
+  for (const Entry& entry : entries) {
+    const float left = ImGui::GetCursorPosX();
+    ImGui::TextUnformatted(entry.what);
+    ImGui::SameLine(left + indent);
+    softText(entry.how);
+  }
   ImGui::PopStyleVar();
 }
 
@@ -17,32 +62,31 @@ void entry(const char* what, const char* how) {
 
 void drawHelpPanel(const PanelInput& input, UiState& ui, Requests& requests) {
   if (!ui.open.help || input.drawing) return;
-  PanelBox box = sheetBox(ui);
-  if (!ui.narrow()) {
-    box.position = {margin(ui), 2 * margin(ui) + barHeight(ui)};
-    box.anchor = {0, 0};
-    box.width = 360;
-    box.max_height = canvasHeight(ui) - 4 * margin(ui) - 2 * barHeight(ui);
-  }
+  const bool two_columns = canvasWidth(ui) >= 1180 && !ui.touch();
+  const float indent = 104;
+  const PanelBox box =
+      ui.narrow() ? sheetBox(ui) : leftColumnBox(ui, two_columns ? 760.0f : 400.0f);
   beginPanel("help panel", box);
   if (titleRow("How it works", ui)) {
     ui.open.help = false;
     requests.again = true;
   }
-  softText("Draw a closed shape: it becomes a body with bones. Draw more to add parts.");
-  entry("Draw",
-        "drag with the left button, one finger or a pen; from another view, drawing turns "
-        "back to the front");
-  entry("Select", "click or tap a part");
-  entry("Turn",
-        "right button or Alt and drag; twist two fingers; drag three fingers; or drag the "
-        "ball in the corner");
-  entry("Move", "middle button, or drag two fingers");
-  entry("Zoom", "wheel, or pinch");
-  entry("Views", "1 front, 3 right, 7 top, F everything");
-  entry("Undo", "Ctrl Z, redo: Shift Ctrl Z or Ctrl Y");
-  entry("Delete", "X or Delete");
-  entry("Cancel", "Esc gives up the stroke under your hand");
+  softText(
+      "Draw a closed shape: it becomes a body with bones. Draw more: parts that touch become "
+      "one creature.");
+  if (ui.touch()) section("With fingers", kFingers, indent);
+  if (two_columns && ImGui::BeginTable("columns", 2)) {
+    ImGui::TableNextColumn();
+    section("Drawing", kDrawing, indent);
+    section("Looking", kLooking, indent);
+    ImGui::TableNextColumn();
+    section("Parts", kParts, indent);
+    ImGui::EndTable();
+  } else if (!two_columns) {
+    section("Drawing", kDrawing, indent);
+    section("Parts", kParts, indent);
+    section("Looking", kLooking, indent);
+  }
   endPanel();
 }
 

@@ -28,6 +28,7 @@ inline PanelBox sheetBox(const UiState& ui) {
   box.anchor = {0.5f, 1};
   box.width = std::min(canvasWidth(ui) - 2 * gap, 420.0f);
   box.max_height = canvasHeight(ui) * 0.55f;
+  box.touch = ui.touch();
   if (lowCanvas(ui)) {
     box.position.x = canvasWidth(ui) - gap;
     box.anchor.x = 1;
@@ -43,10 +44,24 @@ inline PanelBox columnBox(const UiState& ui) {
   const float top = 3 * margin(ui) + gizmoSide(ui) + barHeight(ui);
   box.position = {canvasWidth(ui) - margin(ui), top};
   box.anchor = {1, 0};
-  box.width = 268;
+  box.width = ui.touch() ? 316.0f : 284.0f;
   box.max_height = std::max(canvasHeight(ui) - top - 2 * margin(ui) - barHeight(ui), 120.0f);
+  box.touch = ui.touch();
   return box;
 }
+
+/// A column at the left, beside the tools.
+inline PanelBox leftColumnBox(const UiState& ui, float width) {
+  PanelBox box;
+  box.position = {2 * margin(ui) + barHeight(ui), 2 * margin(ui) + barHeight(ui)};
+  box.width = width;
+  box.max_height = std::max(canvasHeight(ui) - 4 * margin(ui) - 2 * barHeight(ui), 120.0f);
+  box.touch = ui.touch();
+  return box;
+}
+
+/// Height of a row that can be pressed.
+inline float rowHeight(const UiState& ui) { return ui.touch() ? 44.0f : 34.0f; }
 
 /// The title of a panel and the button that closes it; true when it is pressed.
 bool titleRow(const char* title, const UiState& ui);

@@ -33,15 +33,9 @@ float widthOf(ImFont* font, const char* text) {
 }  // namespace
 
 PanelBox menuBox(const UiState& ui, float width) {
+  if (!ui.narrow()) return leftColumnBox(ui, width);
   PanelBox box = sheetBox(ui);
-  if (ui.narrow()) {
-    if (!lowCanvas(ui)) box.max_height = canvasHeight(ui) * 0.7f;
-    return box;
-  }
-  box.position = {2 * margin(ui) + barHeight(ui), 2 * margin(ui) + barHeight(ui)};
-  box.anchor = {0, 0};
-  box.width = width;
-  box.max_height = canvasHeight(ui) - 4 * margin(ui) - 2 * barHeight(ui);
+  if (!lowCanvas(ui)) box.max_height = canvasHeight(ui) * 0.7f;
   return box;
 }
 
@@ -104,16 +98,12 @@ bool thumbnailRow(const char* id, const Thumbnail* thumbnail, const char* name, 
 }
 
 bool paleButton(const char* id, const char* text, float width, float height, const char* tooltip,
-                ImU32 color) {
-  const bool clicked = ImGui::InvisibleButton(id, {width, height});
-  notePlace(id);
-  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  const bool touched = ImGui::IsItemActive() || ImGui::IsItemHovered();
-  list().AddRectFilled(low, high, touched ? Theme::kPress : Theme::kHover, 9);
-  textAt(fonts().regular, text, (low.x + high.x - widthOf(fonts().regular, text)) / 2,
-         (low.y + high.y) / 2, color);
-  tooltipForLastItem(tooltip);
-  return clicked;
+                bool danger) {
+  ButtonLook look{tooltip};
+  look.width = width;
+  look.raised = true;
+  look.danger = danger;
+  return textButton(id, text, height, look);
 }
 
 bool accentButton(const char* id, const char* text, float width, float height) {

@@ -9,8 +9,6 @@ namespace marrow {
 /// A sheet below the toolbar; on a narrow canvas as any other.
 PanelBox menuBox(const UiState& ui, float width);
 
-inline float rowHeight(const UiState& ui) { return ui.touch() ? 44.0f : 36.0f; }
-
 /// A row to press: icon, words, and at its right the key that does the same.
 bool menuRow(const char* id, const char* icon, const char* text, const char* keys, float height,
              bool enabled = true);
@@ -25,9 +23,9 @@ bool thumbnailCard(const char* id, const Thumbnail* thumbnail, const char* name,
 bool thumbnailRow(const char* id, const Thumbnail* thumbnail, const char* name, const char* words,
                   float height);
 
-/// A button with a pale ground.
+/// A button with a ground of its own.
 bool paleButton(const char* id, const char* text, float width, float height, const char* tooltip,
-                ImU32 color = Theme::kText);
+                bool danger = false);
 /// A button in the accent's colour.
 bool accentButton(const char* id, const char* text, float width, float height);
 

@@ -46,6 +46,10 @@ void drawViewControls(const PanelInput& input, UiState& ui, Requests& requests);
 void drawCanvasMarks(const PanelInput& input, UiState& ui, Requests& requests);
 void drawToolPanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawPartPanel(const PanelInput& input, UiState& ui, Requests& requests);
+/// The list of all parts.
+void drawPartsPanel(const PanelInput& input, UiState& ui, Requests& requests);
+/// The thresholds, while no part's panel shows them.
+void drawRefinePanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawPerformancePanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawHelpPanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawFilePanel(const PanelInput& input, UiState& ui, Requests& requests);

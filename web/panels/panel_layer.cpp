@@ -36,6 +36,18 @@ ImGuiKey imguiKey(Key key) {
   }
 }
 
+// There is room for one panel at the left: the one that was opened last.
+void keepOneAtLeft(PanelsOpen& open, const PanelsOpen& before) {
+  constexpr bool PanelsOpen::*kLeft[] = {&PanelsOpen::file, &PanelsOpen::gallery,
+                                         &PanelsOpen::picture, &PanelsOpen::help,
+                                         &PanelsOpen::parts};
+  for (const auto opened : kLeft) {
+    if (!(open.*opened) || before.*opened) continue;
+    for (const auto other : kLeft) open.*other = other == opened;
+    return;
+  }
+}
+
 }  // namespace
 
 PanelLayer::PanelLayer() {
@@ -82,6 +94,7 @@ void PanelLayer::pointer(const PointerEvent& event) {
   switch (event.type) {
     case PointerEvent::Type::down:
       io.MouseDown[0] = event.button == Button::primary;
+      io.KeyShift = event.shift;
       touch_lifted_ = false;
       // Without this the distance from the last touch would count as a drag.
       if (!mouse) io.MousePosPrev = io.MousePos;
@@ -139,6 +152,7 @@ Requests PanelLayer::frame(const PanelInput& input, UiState& ui) {
   drawToolbar(input, ui, requests);
   drawToolPanel(input, ui, requests);
   drawViewControls(input, ui, requests);
+  drawPartsPanel(input, ui, requests);
   drawHelpPanel(input, ui, requests);
   drawPerformancePanel(input, ui, requests);
   drawPartPanel(input, ui, requests);
@@ -146,7 +160,10 @@ Requests PanelLayer::frame(const PanelInput& input, UiState& ui) {
   drawGalleryPanel(input, ui, requests);
   drawReferencePanel(input, ui, requests);
   drawOffer(input, ui, requests);
+  drawRefinePanel(input, ui, requests);
   drawToast(input, ui, requests);
+  keepOneAtLeft(ui.open, last_open_);
+  last_open_ = ui.open;
   ImGui::Render();
 
   if (lifted) {

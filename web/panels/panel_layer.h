@@ -36,6 +36,7 @@ class PanelLayer {
   int fonts_version_ = 0;
   double dpr_ = 0;
   double last_frame_ms_ = 0;
+  PanelsOpen last_open_;
   bool touch_lifted_ = false;  // no pointer hovers after a finger is gone
   bool keys_down_ = false;
 };

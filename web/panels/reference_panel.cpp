@@ -111,7 +111,7 @@ void drawReferencePanel(const PanelInput& input, UiState& ui, Requests& requests
     requests.files.push_back({FileAction::Kind::picture, {}});
   }
   ImGui::SameLine();
-  if (paleButton("remove", "Remove", width, height, "Takes the picture away", Theme::kDanger)) {
+  if (paleButton("remove", "Remove", width, height, "Takes the picture away", true)) {
     Reference none;
     none.view = view;
     requests.commands.push_back(SetReference{none});

@@ -18,9 +18,11 @@ void drawToolbar(const PanelInput& input, UiState& ui, Requests& requests) {
   ButtonLook look{ui.open.file ? "" : "Open, save, samples and recent drawings"};
   look.on = ui.open.file;
   if (iconButton("file", kIconMenu, side, look)) {
-    const bool opens = !ui.open.file;
-    ui.openOnly(&PanelsOpen::file);
-    ui.open.file = opens;
+    if (ui.open.file) {
+      ui.open.file = false;
+    } else {
+      ui.openOnly(&PanelsOpen::file);
+    }
     requests.again = true;
   }
 

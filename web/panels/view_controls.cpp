@@ -4,7 +4,6 @@
 
 #include "icons.h"
 #include "panels/layout.h"
-#include "panels/menu_rows.h"
 #include "panels/panel.h"
 
 namespace marrow {
@@ -115,15 +114,15 @@ void drawSwitches(UiState& ui, Requests& requests) {
       requests.again = true;
     }
   }
-  ImGui::SameLine();
-  ButtonLook look{"Picture to draw after, behind this view"};
-  look.on = ui.open.picture;
-  if (iconButton("picture", kIconImage, buttonSide(ui), look)) {
-    const bool opens = !ui.open.picture;
-    ui.openOnly(&PanelsOpen::picture);
-    ui.open.picture = opens;
-    requests.again = true;
-  }
+}
+
+// What opens and closes a panel where there is room for several.
+void panelButton(const char* id, const char* icon, bool PanelsOpen::*which, ButtonLook look,
+                 UiState& ui, Requests& requests) {
+  look.on = ui.open.*which;
+  if (!iconButton(id, icon, buttonSide(ui), look)) return;
+  ui.open.*which = !(ui.open.*which);
+  requests.again = true;
 }
 
 void drawWide(UiState& ui, Requests& requests) {
@@ -139,18 +138,34 @@ void drawWide(UiState& ui, Requests& requests) {
   box.position = {margin(ui), canvasHeight(ui) - margin(ui)};
   beginPanel("switches", box);
   drawSwitches(ui, requests);
+  ImGui::SameLine();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddLine({at.x + 3, at.y + 6}, {at.x + 3, at.y + buttonSide(ui) - 6},
+                                      Theme::kHairline);
+  ImGui::Dummy({7, buttonSide(ui)});
+  ImGui::SameLine();
+  panelButton("parts", kIconListTree, &PanelsOpen::parts, {"All parts, and what hangs on what"}, ui,
+              requests);
+  ImGui::SameLine();
+  panelButton("picture", kIconImage, &PanelsOpen::picture,
+              {"Picture to draw after, behind this view"}, ui, requests);
+  ImGui::SameLine();
+  panelButton("skeleton", kIconSlidersHorizontal, &PanelsOpen::skeleton, {"More bones or fewer"},
+              ui, requests);
   endPanel();
 
   box.anchor = {1, 1};
   box.position = {canvasWidth(ui) - margin(ui), canvasHeight(ui) - margin(ui)};
   beginPanel("performance button", box);
-  ButtonLook look{"How long the last stroke took"};
-  look.on = ui.open.performance;
-  if (iconButton("performance", kIconGauge, buttonSide(ui), look)) {
-    ui.open.performance = !ui.open.performance;
-    requests.again = true;
-  }
+  panelButton("performance", kIconGauge, &PanelsOpen::performance,
+              {"How long the last stroke took"}, ui, requests);
   endPanel();
+}
+
+PanelsOpen noPanels() {
+  PanelsOpen open;
+  open.part = false;
+  return open;
 }
 
 // One sheet at a time.
@@ -159,7 +174,7 @@ void sheetButton(const char* id, const char* icon, bool PanelsOpen::*which, Butt
   look.on = ui.open.*which && look.enabled;
   if (!iconButton(id, icon, buttonSide(ui), look)) return;
   const bool opens = !(ui.open.*which);
-  ui.open = PanelsOpen{false, false, false, false, false};
+  ui.open = noPanels();
   ui.open.*which = opens;
   requests.again = true;
 }
@@ -178,8 +193,7 @@ void drawNarrow(const PanelInput& input, UiState& ui, Requests& requests) {
   look.enabled = input.shown.find(sourceId(ui.selection.primary())).has_value();
   sheetButton("part", kIconSlidersHorizontal, &PanelsOpen::part, look, ui, requests);
   ImGui::SameLine();
-  sheetButton("performance", kIconGauge, &PanelsOpen::performance,
-              {"How long the last stroke took"}, ui, requests);
+  sheetButton("parts", kIconListTree, &PanelsOpen::parts, {"All parts"}, ui, requests);
   ImGui::SameLine();
   sheetButton("help", kIconCircleQuestionMark, &PanelsOpen::help, {"How it works"}, ui, requests);
   endPanel();
@@ -196,10 +210,17 @@ void drawNarrow(const PanelInput& input, UiState& ui, Requests& requests) {
       requests.again = true;
     }
   }
-  if (menuRow("picture", kIconImage, "Picture to draw after\xE2\x80\xA6", "", 44)) {
-    ui.openOnly(&PanelsOpen::picture);
+  const auto other = [&](const char* id, const char* icon, const char* text,
+                         bool PanelsOpen::*which) {
+    if (!disclosure(id, icon, text, "", false, 44)) return;
+    ui.open = noPanels();
+    ui.open.*which = true;
     requests.again = true;
-  }
+  };
+  ImGui::Separator();
+  other("picture", kIconImage, "Picture to draw after", &PanelsOpen::picture);
+  other("skeleton", kIconSlidersHorizontal, "More bones or fewer", &PanelsOpen::skeleton);
+  other("performance", kIconGauge, "How long the last stroke took", &PanelsOpen::performance);
   endPanel();
 }
 
@@ -207,7 +228,8 @@ void drawNarrow(const PanelInput& input, UiState& ui, Requests& requests) {
 
 void drawViewControls(const PanelInput& input, UiState& ui, Requests& requests) {
   const PanelsOpen& open = ui.open;
-  const bool covered = lowCanvas(ui) && (open.part || open.view || open.performance || open.help);
+  const bool covered =
+      lowCanvas(ui) && (open.part || open.parts || open.skeleton || open.anySheet());
   if (!covered) drawGizmo(ui, requests);
   if (ui.narrow()) {
     drawNarrow(input, ui, requests);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "icons.h"
 #include "imgui_internal.h"
 
 namespace marrow {
@@ -34,10 +35,42 @@ void drawCentred(ImFont* font, const char* text, ImVec2 at, ImU32 color) {
                  color, text);
 }
 
-ImU32 background(bool on) {
+ImU32 background(const ButtonLook& look) {
   if (ImGui::IsItemActive()) return Theme::kPress;
-  if (on) return Theme::kAccentSoft;
-  return ImGui::IsItemHovered() ? Theme::kHover : 0;
+  if (look.on) return Theme::kAccentSoft;
+  if (ImGui::IsItemHovered()) return look.raised ? Theme::kPress : Theme::kHover;
+  return look.raised ? Theme::kHover : 0;
+}
+
+// What a press that began on a panel turns out to be: fingers that scroll must not move a slider
+// or press a button on the way.
+enum class Press { undecided, scroll, other };
+constexpr float kDecided_px = 7;
+Press press = Press::other;  // belongs to the one ImGui context, as ImGui's own state does
+bool fingers = false;        // the panel that is being made is for fingers
+
+void scrollByFinger(bool touch) {
+  fingers = touch;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!touch) return;
+  if (io.MouseClicked[0]) press = Press::undecided;
+  if (!io.MouseDown[0]) return;
+  const ImGuiWindow& window = *ImGui::GetCurrentWindow();
+  const ImVec2 start = io.MouseClickedPos[0];
+  if (!window.InnerRect.Contains(start) || window.ScrollMax.y <= 0) return;
+  const ImVec2 way{io.MousePos.x - start.x, io.MousePos.y - start.y};
+  if (press == Press::undecided && std::max(std::abs(way.x), std::abs(way.y)) > kDecided_px) {
+    press = std::abs(way.y) > std::abs(way.x) ? Press::scroll : Press::other;
+    if (press == Press::scroll) ImGui::ClearActiveID();
+  }
+  if (press == Press::scroll) ImGui::SetScrollY(ImGui::GetScrollY() - io.MouseDelta.y);
+}
+
+// Whether a finger that holds a slider may still mean to scroll.
+bool mayScroll() {
+  const ImGuiWindow& window = *ImGui::GetCurrentWindow();
+  const bool scrolls = window.ScrollMax.y > 0;
+  return fingers && scrolls && press == Press::undecided;
 }
 
 // The clickable area of a button; false where it is disabled.
@@ -45,7 +78,7 @@ bool pressed(const char* id, ImVec2 size, const ButtonLook& look) {
   const bool clicked = ImGui::InvisibleButton(id, size) && look.enabled;
   notePlace(id);
   if (look.enabled) {
-    list().AddRectFilled(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), background(look.on), 9);
+    list().AddRectFilled(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), background(look), 9);
   }
   tooltipForLastItem(look.tooltip);
   return clicked;
@@ -54,6 +87,7 @@ bool pressed(const char* id, ImVec2 size, const ButtonLook& look) {
 ImU32 foreground(const ButtonLook& look) {
   if (!look.enabled) return Theme::kDisabled;
   if (look.danger) return Theme::kDanger;
+  if (look.quiet && !ImGui::IsItemHovered()) return Theme::kDisabled;
   return look.on ? Theme::kAccent : Theme::kText;
 }
 
@@ -80,11 +114,23 @@ void beginPanel(const char* name, const PanelBox& box) {
   ImGui::PopStyleVar(box.bar ? 2 : 1);
   if (box.bar) ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(2, 2));
   if (!box.bar) ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 8));
+  scrollByFinger(box.touch);
 }
 
 void endPanel() {
   ImGui::PopStyleVar();
   ImGui::End();
+}
+
+void beginScrolling(const char* name, float height, bool touch) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+  ImGui::BeginChild(name, {0, height}, false, ImGuiWindowFlags_NoNav);
+  scrollByFinger(touch);
+}
+
+void endScrolling() {
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
 }
 
 bool iconButton(const char* id, const char* icon, float side, const ButtonLook& look) {
@@ -116,6 +162,41 @@ bool switchRow(const char* id, const char* icon, const char* text, bool on, floa
   return clicked;
 }
 
+bool disclosure(const char* id, const char* icon, const char* text, const char* note, bool open,
+                float height) {
+  const bool clicked = pressed(id, {ImGui::GetContentRegionAvail().x, height}, {});
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const float y = (low.y + high.y) / 2, text_y = std::round(y - ImGui::GetFontSize() / 2);
+  drawCentred(fonts().icons, icon, {low.x + 12, y}, Theme::kText);
+  const float note_width = *note ? ImGui::CalcTextSize(note).x + 8 : 0;
+  const float end = high.x - 26;
+  if (*note) list().AddText({end - note_width + 4, text_y}, Theme::kSoftText, note);
+  fittingText(text, {low.x + 34, text_y}, end - note_width - low.x - 34, Theme::kText);
+  drawCentred(fonts().icons, open ? kIconChevronDown : kIconChevronRight, {high.x - 11, y},
+              Theme::kSoftText);
+  return clicked;
+}
+
+size_t choices(const std::vector<Choice>& all, size_t current, float height) {
+  float wanted = 0;
+  for (const Choice& one : all) wanted += ImGui::CalcTextSize(one.label).x;
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float room = (width - wanted) / static_cast<float>(all.size());
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  list().AddRectFilled(at, {at.x + width, at.y + height}, Theme::kHover, 9);
+  size_t chosen = current;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 8));
+  for (size_t i = 0; i < all.size(); ++i) {
+    if (i > 0) ImGui::SameLine();
+    ButtonLook look;
+    look.on = i == current;
+    look.width = ImGui::CalcTextSize(all[i].label).x + room;
+    if (textButton(all[i].id, all[i].label, height, look)) chosen = i;
+  }
+  ImGui::PopStyleVar();
+  return chosen;
+}
+
 SliderEvent slider(const char* id, float& value, float mark, float height, float width) {
   SliderEvent event;
   if (width <= 0) width = ImGui::GetContentRegionAvail().x;
@@ -124,7 +205,11 @@ SliderEvent slider(const char* id, float& value, float mark, float height, float
   const ImVec2 low = ImGui::GetItemRectMin();
   const float radius = 10;
   const float from = low.x + radius, to = low.x + width - radius, y = low.y + height / 2;
-  if (ImGui::IsItemActive()) {
+  event.reset = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
+  if (event.reset) ImGui::ClearActiveID();
+  const bool tapped = ImGui::IsItemDeactivated() && mayScroll();
+  if (tapped) press = Press::other;
+  if ((ImGui::IsItemActive() && !mayScroll()) || tapped) {
     float wanted = std::clamp((ImGui::GetIO().MousePos.x - from) / (to - from), 0.0f, 1.0f);
     if (std::abs(wanted - mark) * (to - from) < 4) wanted = mark;
     event.changed = wanted != value;
@@ -158,10 +243,29 @@ bool swatch(const char* id, Color color, bool chosen, float side) {
   return clicked;
 }
 
+void iconAt(const char* icon, ImVec2 at, ImU32 color) {
+  drawCentred(fonts().icons, icon, at, color);
+}
+
+void fittingText(const char* text, ImVec2 at, float width, ImU32 color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  const ImVec2 end{at.x + width, at.y + ImGui::GetFontSize() + 4};
+  ImGui::RenderTextEllipsis(&list(), at, end, end.x, end.x, text, nullptr, nullptr);
+  ImGui::PopStyleColor();
+}
+
 void heading(const char* text) {
   ImGui::PushFont(fonts().bold);
   ImGui::TextUnformatted(text);
   ImGui::PopFont();
+}
+
+void headingWithNote(const char* text, const char* note) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 0));
+  heading(text);
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(note).x);
+  softText(note);
+  ImGui::PopStyleVar();
 }
 
 void softText(const char* text) {
@@ -177,7 +281,7 @@ const std::vector<WidgetPlace>& widgetPlaces() { return places; }
 void notePlace(const char* id) {
   const ImGuiWindow& window = *ImGui::GetCurrentWindow();
   if (window.Hidden) return;
-  places.push_back({window.Name, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
+  places.push_back({window.RootWindow->Name, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
 }
 
 void forgetPlaces() { places.clear(); }

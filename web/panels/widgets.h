@@ -10,15 +10,20 @@
 namespace marrow {
 
 /// A floating panel that fits its contents. anchor: which of its points lies at `position`
-/// (0, 0: top left; 1, 1: bottom right). width 0: as wide as the contents.
+/// (0, 0: top left; 1, 1: bottom right). width 0: as wide as the contents. Where its contents are
+/// higher than it, fingers drag them.
 struct PanelBox {
   ImVec2 position, anchor;
   float width = 0;
   float max_height = 0;  // 0: no limit; else it scrolls
   bool bar = false;      // a row of buttons, with less room around them
+  bool touch = false;    // for fingers
 };
 void beginPanel(const char* name, const PanelBox& box);
 void endPanel();
+/// A stretch of a panel that scrolls by itself; both are called always.
+void beginScrolling(const char* name, float height, bool touch);
+void endScrolling();
 
 struct ButtonLook {
   const char* tooltip = "";
@@ -26,22 +31,43 @@ struct ButtonLook {
   bool on = false;      // a switch that is on
   float width = 0;      // 0: square, or as wide as the text
   bool danger = false;  // takes something away
+  bool raised = false;  // has a ground of its own
+  bool quiet = false;   // pale until the pointer is there
 };
 bool iconButton(const char* id, const char* icon, float side, const ButtonLook& look);
 bool textButton(const char* id, const char* text, float height, const ButtonLook& look);
 /// A row: icon, words, and whether it is on.
 bool switchRow(const char* id, const char* icon, const char* text, bool on, float height);
 
+/// A row that opens and closes what is below it; true when it is pressed.
+bool disclosure(const char* id, const char* icon, const char* text, const char* note, bool open,
+                float height);
+
+/// One of a few, side by side. Ids and labels, two at least. Gives the one that is pressed, else
+/// `current`.
+struct Choice {
+  const char *id, *label;
+};
+size_t choices(const std::vector<Choice>& all, size_t current, float height);
+
 struct SliderEvent {
   bool changed = false, released = false;
+  bool reset = false;  // a double click: back to the mark
 };
-/// value: 0 … 1. mark: where the default lies. width 0: all there is.
+/// value: 0 … 1. mark: where the default lies. width 0: all that is there.
 SliderEvent slider(const char* id, float& value, float mark, float height, float width = 0);
 
 /// One of the colours to choose from.
 bool swatch(const char* id, Color color, bool chosen, float side);
 
+/// An icon with its middle there.
+void iconAt(const char* icon, ImVec2 at, ImU32 color);
+/// Cut off with three dots where it is too wide.
+void fittingText(const char* text, ImVec2 at, float width, ImU32 color);
+
 void heading(const char* text);
+/// A bold name with a quieter note right of it, at the end of the line.
+void headingWithNote(const char* text, const char* note);
 void softText(const char* text);  // wrapped, in a quieter colour
 
 /// Where a widget of this frame lies, in CSS pixels: for who wants to point at it from outside.

@@ -12,8 +12,9 @@ namespace {
 constexpr double kFaces = 0.985;  // cosine: two directions count as one
 // A half outline ends so near to the line of symmetry, on the screen.
 constexpr double kReach_px = 24;
-// What is begun nearer to the rim of a body than this goes on in the body's plane.
-constexpr double kRimFacing = 0.3, kSideFacing = 0.75;
+// How much a surface faces the viewer where it counts as the side of a body, and where as its rim.
+constexpr double kSideFacing = 0.75, kRimFacing = 0.3;
+constexpr size_t kSamples = 24;  // of a stroke, to see what it lies on
 
 Vec2 centroid(const std::vector<Vec2>& points) {
   Vec2 sum;
@@ -30,83 +31,100 @@ void StrokePlace::begin(Vec2 pixel, const Camera& camera, const Document& docume
   right_ = axes[0];
   up_ = axes[1];
   back_ = axes[2];
-  hit_ = through_selected ? std::nullopt : surfaceAt(pixel, evaluation, camera, ui.size);
+  evaluation_ = &evaluation;
+  camera_ = camera;
+  size_ = ui.size;
   chosen_ = through_selected;
+  hit_ = through_selected ? std::nullopt : surfaceAt(pixel, evaluation, camera, ui.size);
   through_ = hit_ ? hit_->position : ground;
   symmetry_ = ui.symmetry ? symmetryPlane(document) : std::nullopt;
   side_view_ = symmetry_ && std::abs(dot(symmetry_->normal, back_)) > kFaces;
   line_ = symmetry_ && document.symmetry.has_value();
   reach_ = kReach_px / camera.zoom;
-  ends_.clear();
   outlines_.clear();
-  for (const PlacedPart& placed : evaluation.placed()) {
-    const EvaluatedPart& evaluated = evaluation.parts()[placed.source];
-    if (!evaluated.part || !evaluated.source->visible) continue;
-    std::vector<Vec2> outline;
-    for (const Vec2 p : evaluated.part->outline.dense) {
-      const Vec3 world = placed.frame.toWorld(p);
-      outline.push_back({dot(right_, world), dot(up_, world)});
-    }
-    outlines_.push_back(std::move(outline));
+  for (size_t i = 0; i < evaluation.placed().size(); ++i) outlines_.push_back(outlineInView(i));
+}
+
+std::vector<Vec2> StrokePlace::outlineInView(size_t placed) const {
+  const PlacedPart& one = evaluation_->placed()[placed];
+  const EvaluatedPart& evaluated = evaluation_->parts()[one.source];
+  std::vector<Vec2> outline;
+  if (!evaluated.part || !evaluated.source->visible) return outline;
+  for (const Vec2 p : evaluated.part->outline.dense) {
+    outline.push_back(inView(one.frame.toWorld(p)));
   }
-  if (!hit_) return;
-  const PlacedPart& placed = evaluation.placed()[hit_->placed];
-  const PartSkeleton& skeleton = evaluation.parts()[placed.source].part->skeleton;
-  const auto inView = [&](Vec2 p) {
-    const Vec3 world = placed.frame.toWorld(p);
-    return Vec2{dot(right_, world), dot(up_, world)};
-  };
-  for (const auto& bone : skeleton.bones) {
-    for (const bool second : {false, true}) {
-      const PartSkeleton::Joint& joint = skeleton.joints[bone[second ? 1 : 0]];
-      if (joint.kind != JointKind::terminal) continue;
-      const Vec2 from = inView(skeleton.joints[bone[second ? 0 : 1]].position);
-      const Vec2 to = inView(joint.position);
-      const double span = distance(from, to);
-      if (span <= 0) continue;
-      ends_.push_back({to, (to - from) / span, joint.radius * placed.frame.scale()});
-    }
-  }
+  return outline;
 }
 
 Frame StrokePlace::frameThrough(Vec3 world) const {
   return {back_ * dot(back_, world), right_, up_};
 }
 
-bool StrokePlace::looksLikeLimb(const std::vector<Vec2>& stroke) const {
-  if (!hit_ || hit_->facing < kRimFacing) return false;
-  const Vec2 start = stroke.front(), middle = centroid(stroke);
-  const Vec2 way = middle - start;
-  for (const End& end : ends_) {
-    const Vec2 beyond = middle - end.position;
-    const double ahead = dot(beyond, end.outward), aside = std::abs(cross(end.outward, beyond));
-    if (ahead > 0.5 * end.radius && ahead > 0.6 * aside) return false;  // goes on where it ends
-    const bool near = distance(start, end.position) < 1.3 * end.radius;
-    if (near && way.y > 0.3 * length(way)) return false;  // a neck
-  }
-  return way.y < -0.4 * length(way) || hit_->facing > kSideFacing;
-}
-
-bool StrokePlace::touchesCharacter(const std::vector<Vec2>& stroke) const {
-  constexpr size_t kSamples = 24;
+// Where the stroke began, or else where it reaches deepest into an outline.
+std::optional<StrokePlace::Anchor> StrokePlace::anchorOf(const std::vector<Vec2>& stroke) const {
+  if (hit_) return Anchor{*hit_, stroke.front()};
+  double deepest = 0;
+  Vec2 at;
   for (size_t k = 0; k < kSamples; ++k) {
     const Vec2 p = stroke[k * (stroke.size() - 1) / (kSamples - 1)];
     for (const auto& outline : outlines_) {
-      if (contains(outline, p)) return true;
+      if (outline.empty() || !contains(outline, p)) continue;
+      const double depth = distanceToBorder(outline, p);
+      if (depth <= deepest) continue;
+      deepest = depth;
+      at = p;
     }
   }
-  return false;
+  if (deepest <= 0) return std::nullopt;
+  const Vec2 pixel = camera_.toScreen(right_ * at.x + up_ * at.y, size_);
+  const auto hit = surfaceAt(pixel, *evaluation_, camera_, size_);
+  if (!hit) return std::nullopt;
+  return Anchor{*hit, at};
+}
+
+bool StrokePlace::looksLikeLimb(const std::vector<Vec2>& stroke, const Anchor& anchor) const {
+  if (anchor.hit.facing < kRimFacing) return false;
+  const PlacedPart& placed = evaluation_->placed()[anchor.hit.placed];
+  const PartSkeleton& skeleton = evaluation_->parts()[placed.source].part->skeleton;
+  const Vec2 middle = centroid(stroke), way = middle - anchor.at;
+  for (const auto& bone : skeleton.bones) {
+    for (const bool second : {false, true}) {
+      const PartSkeleton::Joint& joint = skeleton.joints[bone[second ? 1 : 0]];
+      if (joint.kind != JointKind::terminal) continue;
+      const Vec2 end = inView(placed.frame.toWorld(joint.position));
+      const Vec2 bone_way =
+          end - inView(placed.frame.toWorld(skeleton.joints[bone[second ? 0 : 1]].position));
+      if (length(bone_way) <= 0) continue;
+      const Vec2 outward = bone_way / length(bone_way), beyond = middle - end;
+      const double radius = joint.radius * placed.frame.scale();
+      const double ahead = dot(beyond, outward), aside = std::abs(cross(outward, beyond));
+      if (ahead > 0.5 * radius && ahead > 0.6 * aside) return false;  // goes on where it ends
+      const bool near = distance(anchor.at, end) < 1.3 * radius;
+      if (near && way.y > 0.3 * length(way)) return false;  // a neck
+    }
+  }
+  return way.y < -0.4 * length(way) || anchor.hit.facing > kSideFacing;
+}
+
+Vec3 StrokePlace::throughFor(const std::vector<Vec2>& stroke) const {
+  if (!symmetry_ || chosen_ || stroke.size() < 3) return through_;
+  const auto anchor = anchorOf(stroke);
+  const auto ontoSymmetry = [&](Vec3 p) { return p - symmetry_->normal * distance(*symmetry_, p); };
+  if (!anchor) return side_view_ ? ontoSymmetry(through_) : through_;
+  const bool within = contains(outlines_[anchor->hit.placed], centroid(stroke));
+  if (within) return anchor->hit.position;
+  if (side_view_) {
+    const Vec3 surface = anchor->hit.position;
+    return looksLikeLimb(stroke, *anchor) ? surface : ontoSymmetry(surface);
+  }
+  const PlacedPart& placed = evaluation_->placed()[anchor->hit.placed];
+  return middleOf(evaluation_->parts()[placed.source], placed.frame);
 }
 
 StrokePlace::Place StrokePlace::at(const std::vector<Vec2>& stroke) const {
   Place place;
-  place.frame = frameThrough(through_);
+  place.frame = frameThrough(throughFor(stroke));
   if (!symmetry_ || stroke.size() < 3) return place;
-  if (side_view_ && !chosen_ && !looksLikeLimb(stroke)) {
-    const Vec3 normal = symmetry_->normal;
-    place.frame = frameThrough(through_ - normal * distance(*symmetry_, through_));
-    return place;
-  }
   if (line_) {
     if (auto whole = completedByMirror(stroke, place.frame, *symmetry_, reach_)) {
       place.completed = true;
@@ -114,7 +132,7 @@ StrokePlace::Place StrokePlace::at(const std::vector<Vec2>& stroke) const {
       return place;
     }
   }
-  const bool belongs = line_ || touchesCharacter(stroke);
+  const bool belongs = line_ || anchorOf(stroke).has_value();
   if (belongs && isOffPlane(stroke, place.frame, *symmetry_)) place.mirror = symmetry_;
   return place;
 }
