@@ -113,11 +113,21 @@ TEST_CASE("connect: the parent is the one that is penetrated deepest, the earlie
   edit(document, 1).attachment = Attachment{};
   CHECK(parents(Assembly(document, workshop)) == Parents{{"part-3", "part-1"}});
   // Rounding does not decide ties.
-  for (const double far : {1e3, 1e5, 1e7}) {
-    Affine move;
-    move.move = {far / 3, far / 7, far / 11};
-    CHECK(parents(Assembly(mapped(document, move), workshop)) == Parents{{"part-3", "part-1"}});
+  Random random(20);
+  for (int i = 0; i < 50; ++i) {
+    const Affine map = randomSimilarity(random, 1e4);
+    CHECK(parents(Assembly(mapped(document, map), workshop)) == Parents{{"part-3", "part-1"}});
   }
+}
+
+TEST_CASE("connect: what is a tie for twins goes to either side", "[rig]") {
+  Workshop workshop;
+  const Plane plane{{0, 0, 1}, 0};
+  Document document;
+  addPart(document, "Leg", ellipse({0, 0}, 80, 20), 5, plane);
+  addPart(document, "Foot", ellipse({90, 0}, 40, 8), 0, plane);  // in the plane, as is its twin
+  CHECK(parents(Assembly(document, workshop)) ==
+        Parents{{"part-1:twin", "part-1"}, {"part-2", "part-1"}, {"part-2:twin", "part-1:twin"}});
 }
 
 TEST_CASE("connect: moved away a part is let go, moved back it hangs as before", "[rig]") {
