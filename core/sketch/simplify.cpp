@@ -1,6 +1,7 @@
 #include "sketch/simplify.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -51,11 +52,24 @@ struct Farthest {
 /// The vertex strictly between two others, cyclically, that is farthest from their chord.
 Farthest farthestBetween(const std::vector<Vec2>& polygon, uint32_t from, uint32_t to) {
   const auto n = static_cast<uint32_t>(polygon.size());
-  const SegmentDistance chord(polygon[from], polygon[to]);
+  const Vec2 a = polygon[from], b = polygon[to], way = b - a;
+  const double squared = dot(way, way);
+  const SegmentDistance chord(a, b);
+  // Vertices whose foot is on the chord, nearer to it than `near`, surely miss by less than the
+  // best so far: by far more than all rounding.
+  const double rounding =
+      1e-14 * (std::fabs(a.x) + std::fabs(a.y) + std::fabs(b.x) + std::fabs(b.y));
+  double near_squared = -1;  // near² × squared
   Farthest best;
   for (uint32_t i = from + 1 < n ? from + 1 : 0; i != to; i = i + 1 < n ? i + 1 : 0) {
+    const Vec2 p = polygon[i] - a;
+    const double along = dot(p, way), across = cross(way, p);
+    if (across * across < near_squared && along >= 0 && along <= squared) continue;
     const double miss = chord.to(polygon[i]);
-    if (best.miss < 0 || beats(miss, polygon[i], best.miss, polygon[best.index])) best = {i, miss};
+    if (best.miss >= 0 && !beats(miss, polygon[i], best.miss, polygon[best.index])) continue;
+    best = {i, miss};
+    const double near = (1 - 1e-9) * miss - rounding;
+    near_squared = near > 0 ? near * near * squared : -1;
   }
   return best;
 }

@@ -38,7 +38,13 @@ std::vector<uint32_t> withoutCollinear(const std::vector<Vec2>& polygon, double 
   for (uint32_t i = 0; i < n; ++i) {
     const Vec2 before = polygon[kept.empty() ? n - 1 : kept.back()];
     const Vec2 after = polygon[i + 1 < n ? i + 1 : (kept.empty() ? 0 : kept[0])];
-    if (distanceToSegment(before, after, polygon[i]) > near) kept.push_back(i);
+    // Far from the line, beyond all rounding, is far from the segment.
+    const Vec2 way = after - before, to = polygon[i] - before;
+    const double across = cross(way, to);
+    const double far = (4 * near * near + 1e-24 * dot(to, to)) * dot(way, way);
+    if (across * across > far || distanceToSegment(before, after, polygon[i]) > near) {
+      kept.push_back(i);
+    }
   }
   return kept;
 }
