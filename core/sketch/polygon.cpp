@@ -70,7 +70,7 @@ void forEachMeeting(const std::vector<Vec2>& polygon, Visit visit) {
 
 /// Whether the path a, b, c goes back over itself at b.
 bool turnsBack(Vec2 a, Vec2 b, Vec2 c) {
-  return ((b.x > a.x) != (c.x > b.x) || b.x == a.x || b.x == c.x) &&
+  return dot(b - a, c - b) <= 0 && ((b.x > a.x) != (c.x > b.x) || b.x == a.x || b.x == c.x) &&
          ((b.y > a.y) != (c.y > b.y) || b.y == a.y || b.y == c.y) && turnSign(a, b, c) == 0;
 }
 
