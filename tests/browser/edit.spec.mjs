@@ -73,7 +73,8 @@ test('parts are kept, selected by a click, changed, deleted, and all of it is un
   assert.equal((await app.stats()).selected, 'part-3');
   const bones = () => app.page.evaluate(() =>
       marrow.rig().joints.filter(({part}) => part === 'part-3').length);
-  const simplify = await app.widget('part', 'bones');
+  await app.press('part', 'skeleton');
+  const simplify = await app.widget('part', 'simplify');
   const standard = await bones();
   await undoable(app, () => app.drag([simplify.x, simplify.y], [simplify.x - 100, simplify.y]), 0);
   const few = await bones();

@@ -165,7 +165,7 @@ test('a narrow screen has room for drawing and targets for fingers', {
     const {x, y} = await app.widget(panel, id, index);
     await app.touch([[[x, y]]]);
   };
-  for (const sheet of ['part', 'view', 'performance', 'help']) {
+  for (const sheet of ['part', 'parts', 'view', 'help']) {
     await tap('lower bar', sheet);
     await check(sheet);
     await app.screenshot(`sheet-${sheet}`);

@@ -52,7 +52,8 @@ void section(const char* title, const Entry (&entries)[n], float indent) {
   for (const Entry& entry : entries) {
     const float left = ImGui::GetCursorPosX();
     ImGui::TextUnformatted(entry.what);
-    ImGui::SameLine(left + indent);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + indent);
     softText(entry.how);
   }
   ImGui::PopStyleVar();
@@ -75,7 +76,7 @@ void drawHelpPanel(const PanelInput& input, UiState& ui, Requests& requests) {
       "Draw a closed shape: it becomes a body with bones. Draw more: parts that touch become "
       "one creature.");
   if (ui.touch()) section("With fingers", kFingers, indent);
-  if (two_columns && ImGui::BeginTable("columns", 2)) {
+  if (two_columns && ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingStretchSame)) {
     ImGui::TableNextColumn();
     section("Drawing", kDrawing, indent);
     section("Looking", kLooking, indent);

@@ -133,7 +133,7 @@ class PartsPanel {
 
   void label(const Row& row, const PartSource& part, ImVec2 low, float width) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float x = low.x + 12 + 14 * static_cast<float>(std::min(row.depth, 6));
+    const float x = low.x + 12 + 11 * static_cast<float>(std::min(row.depth, 5));
     const float y = low.y + side_ / 2, text_y = std::round(y - ImGui::GetFontSize() / 2);
     list.AddCircleFilled({x, y}, 6, IM_COL32(part.color.r, part.color.g, part.color.b, 255), 24);
     list.AddCircle({x, y}, 6, IM_COL32(41, 46, 60, 60), 24, 1);

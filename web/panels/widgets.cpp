@@ -108,7 +108,11 @@ void beginPanel(const char* name, const PanelBox& box) {
                                       ImGuiWindowFlags_NoSavedSettings |
                                       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
                                       ImGuiWindowFlags_NoBringToFrontOnFocus;
+  ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, box.touch ? 4.0f : 10.0f);
   ImGui::Begin(name, nullptr, kFlags);
+  ImGui::PopStyleVar();
+  // ImGui puts new windows of this kind behind the others: a sheet would lie below the tools.
+  if (!box.bar) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   if (!ImGui::GetCurrentWindow()->Hidden) drawShadow(low, {low.x + size.x, low.y + size.y});
   ImGui::PopStyleVar(box.bar ? 2 : 1);
@@ -152,9 +156,9 @@ bool switchRow(const char* id, const char* icon, const char* text, bool on, floa
   const bool clicked = pressed(id, {ImGui::GetContentRegionAvail().x, height}, {});
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const float y = (low.y + high.y) / 2;
-  drawCentred(fonts().icons, icon, {low.x + 18, y}, on ? Theme::kAccent : Theme::kText);
+  drawCentred(fonts().icons, icon, {low.x + 12, y}, on ? Theme::kAccent : Theme::kText);
   const float size = ImGui::GetFontSize();
-  list().AddText({low.x + 42, std::round(y - size / 2)}, Theme::kText, text);
+  list().AddText({low.x + 34, std::round(y - size / 2)}, Theme::kText, text);
   const ImVec2 knob{high.x - 14, y};
   list().AddRectFilled({knob.x - 26, y - 10}, {knob.x + 10, y + 10},
                        on ? Theme::kAccent : IM_COL32(41, 46, 60, 70), 10);
@@ -281,7 +285,9 @@ const std::vector<WidgetPlace>& widgetPlaces() { return places; }
 void notePlace(const char* id) {
   const ImGuiWindow& window = *ImGui::GetCurrentWindow();
   if (window.Hidden) return;
-  places.push_back({window.RootWindow->Name, id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  if (!window.InnerClipRect.Contains(middle(low, high))) return;  // scrolled away
+  places.push_back({window.RootWindow->Name, id, low, high});
 }
 
 void forgetPlaces() { places.clear(); }
