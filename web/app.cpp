@@ -92,6 +92,11 @@ App::FrameResult App::frame(double now_ms) {
   return result;
 }
 
+void App::redraw() {
+  drawn_fingerprint_ = 0;
+  frames_to_settle_ = kSettleFrames;
+}
+
 void App::takeInput() {
   // The panels see where a pointer is and whether it is down once a frame: what comes after a
   // change waits for the next one, and letting go waits for the way there.

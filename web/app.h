@@ -41,8 +41,9 @@ class App {
   const Scene& scene() const { return scene_; }
   int fontsVersion() const { return panels_.fontsVersion(); }
   bool wantsText() const { return panels_.wantsText(); }
-  /// The next frame draws, whatever has changed: the picture was lost.
-  void redraw() { drawn_fingerprint_ = 0; }
+  /// The next frame draws, whatever has changed: the picture was lost, or something came that no
+  /// event told of.
+  void redraw();
 
   /// The same as the user's hand does.
   bool undo();

@@ -127,7 +127,7 @@ void drawFilePanel(const PanelInput& input, UiState& ui, Requests& requests) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 0));
   const auto row = [&](const char* id, const char* icon, const char* text, const char* keys,
                        Kind kind, bool enabled = true) {
-    if (!menuRow(id, icon, text, keys, height, enabled)) return;
+    if (!menuRow(id, icon, text, ui.touch() ? "" : keys, height, enabled)) return;
     requests.files.push_back({kind, {}});
     if (kind != Kind::save) ui.open.file = false;
     requests.again = true;

@@ -53,7 +53,8 @@ void drawCentredLine(ImDrawList& list, ImFont* font, const char* text, float x, 
 
 void drawHint(const PanelInput& input, UiState& ui, Requests& requests) {
   if (!input.shelf.keeping.empty() || !input.shown.parts.empty() || input.drawing) return;
-  if (ui.open.anySheet()) return;
+  const bool offers = input.shelf.keeping.offer() != nullptr;
+  if (ui.open.anySheet() || (offers && lowCanvas(ui))) return;
   if (ui.hint_since_ms < 0) ui.hint_since_ms = ui.now_ms;
   const double age_ms = ui.now_ms - ui.hint_since_ms;
   const double progress = std::clamp(age_ms / kDrawn_ms, 0.0, 1.0);
@@ -81,6 +82,8 @@ void drawHint(const PanelInput& input, UiState& ui, Requests& requests) {
   box.bar = true;
   box.anchor = {0.5f, 0};
   box.position = {std::round(at.x), std::round(at.y + radius * 0.92f + 64)};
+  const float room = canvasHeight(ui) - 2 * margin(ui) - barHeight(ui) - box.position.y;
+  if (room < barHeight(ui)) return;
   beginPanel("start", box);
   if (textButton("samples", "Or start from a sample", buttonSide(ui), {})) {
     ui.openOnly(&PanelsOpen::gallery);
