@@ -48,7 +48,6 @@ void App::resize(ViewSize size, double dpr) {
     ui_.open = PanelsOpen{};
   }
   panels_.setDensity(dpr);
-  frames_to_settle_ = kSettleFrames;
   redraw();
 }
 

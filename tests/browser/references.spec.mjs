@@ -161,6 +161,10 @@ test('on a phone the picture has a sheet of its own', {width: 360, height: 740, 
   await chooser.setFiles({name: 'halves.png', mimeType: 'image/png', buffer: halves(300, 400)});
   await ready(app, 1);
   await app.screenshot('phone');
+  const {x, y, width, height} = await app.widget('picture', 'remove');
+  const isGround = ([r, g, b]) => r > 200 && r < 245 && Math.abs(r - g) < 12 && Math.abs(r - b) < 12;
+  const box = [x - width / 2 + 8, y - height / 2 + 4, x + width / 2 - 8, y + height / 2 - 4];
+  assert.ok((await app.pixels()).find(isGround, box).count > 1000, 'the sheet shows its last row');
   await app.press('picture', 'close');
   await app.screenshot('phone-closed');
   const image = await app.pixels();

@@ -1,5 +1,5 @@
-// The app in a browser: a WebGL 2 context, and the functions that platform/browser.js calls. This
-// file and browser.js are the only ones that know Emscripten.
+// The app in a browser: a WebGL 2 context, and the functions that the scripts beside it call. This
+// file and those scripts are the only ones that know Emscripten.
 #include <emscripten.h>
 #include <emscripten/html5.h>
 
