@@ -77,8 +77,8 @@ std::optional<size_t> boneAt(Vec2 pixel, const Evaluation& evaluation, const Cam
       return !source.visible || source.locked;
     };
     if (hidden(child)) continue;
-    const double away = distanceToSegment(pixel, camera.toScreen(rig.joints[parent].position, size),
-                                          camera.toScreen(rig.joints[child].position, size));
+    const double away = distanceToSegment(camera.toScreen(rig.joints[parent].position, size),
+                                          camera.toScreen(rig.joints[child].position, size), pixel);
     if (away >= nearest) continue;
     nearest = away;
     found = child;

@@ -100,31 +100,47 @@ function sizes(site) {
 /// evaluation took, by the app's own clock.
 async function drag({page, session}, document, {steps}) {
   await page.evaluate((text) => window.marrow.load(text), document);
+  const frame = () => page.evaluate(() => new Promise((done) =>
+      requestAnimationFrame(() => requestAnimationFrame(() => done()))));
   await page.keyboard.press('f');
+  await frame();
   await page.waitForFunction(() => !window.marrow.stats().camera.moving);
   await page.keyboard.press('v');
   const {parts, camera, canvas} = await page.evaluate(() => ({
     parts: window.marrow.parts().filter((part) => part.joints),
     camera: window.marrow.stats().camera, canvas: window.marrow.stats().canvas,
   }));
-  const {position} = parts[parts.length >> 1].joints[0];
-  const place = [canvas.width / 2 + (position[0] - camera.target[0]) * camera.zoom,
-                 canvas.height / 2 - (position[1] - camera.target[1]) * camera.zoom];
+  const places = parts.map(({joints: [{position: [x, y]}]}) => [
+    canvas.width / 2 + (x - camera.target[0]) * camera.zoom,
+    canvas.height / 2 - (y - camera.target[1]) * camera.zoom]);
   const send = (type, [x, y], buttons) => session.send('Input.dispatchMouseEvent',
       {type, x, y, button: type === 'mouseMoved' && !buttons ? 'none' : 'left', buttons,
        clickCount: 1});
+  // One that is not hidden, nor behind a panel.
+  let place;
+  for (const one of [...places.slice(places.length >> 1), ...places]) {
+    await send('mouseMoved', one, 0);
+    await send('mousePressed', one, 1);
+    await send('mouseReleased', one, 0);
+    await frame();
+    if (await page.evaluate(() => window.marrow.stats().selection.length === 1)) {
+      place = one;
+      break;
+    }
+  }
+  if (!place) throw new Error('no part could be taken');
   const before = await page.evaluate(() => JSON.stringify(window.marrow.document()));
-  await send('mouseMoved', place, 0);
   await send('mousePressed', place, 1);
   const times = [];
   for (let i = 1; i <= steps; ++i) {
     const angle = 2 * Math.PI * i / 50;
     await send('mouseMoved', [place[0] + 80 * Math.sin(angle), place[1] + 60 * (1 - Math.cos(angle))],
                1);
-    times.push(await page.evaluate(() => new Promise((done) => requestAnimationFrame(
-        () => requestAnimationFrame(() => done(window.marrow.stats().evaluation.ms))))));
+    await frame();
+    times.push(await page.evaluate(() => window.marrow.stats().evaluation.ms));
   }
   await send('mouseReleased', [place[0] + 40, place[1]], 0);
+  await frame();
   const after = await page.evaluate(() => JSON.stringify(window.marrow.document()));
   if (after === before) throw new Error('no part was dragged');
   times.sort((a, b) => a - b);

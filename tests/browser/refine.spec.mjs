@@ -8,6 +8,7 @@ const snake = dense([[250, 600], [370, 540], [510, 590], [650, 540], [810, 600],
 const star = dense([[500, 150], [540, 270], [660, 240], [580, 330], [680, 420], [550, 400],
                     [500, 510], [450, 400], [320, 420], [420, 330], [340, 240], [460, 270],
                     [500, 150]], 6);
+const tall = {height: 1080};  // the whole panel is seen
 const refinement = (app) => app.page.evaluate(() => {
   const {refine, parts} = marrow.document();
   return {model: refine ?? {}, parts: parts.map((part) => part.refine ?? {})};
@@ -49,7 +50,7 @@ test('each slider changes its own threshold, and a reset restores every joint', 
   assert.equal(await app.document(), text);
 });
 
-test('a narrower scope wins, and says so', async (app) => {
+test('a narrower scope wins, and says so', tall, async (app) => {
   await drawn(app);
   await app.press('part', 'skeleton');
   await app.screenshot('part');
@@ -70,7 +71,7 @@ test('a narrower scope wins, and says so', async (app) => {
   assert.equal(await joints(app), standard);
 });
 
-test('a branch has a detail of its own', async (app) => {
+test('a branch has a detail of its own', tall, async (app) => {
   await drawn(app);
   await app.click(150, 150);
   const bone = await app.page.evaluate(() => {
