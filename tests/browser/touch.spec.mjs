@@ -31,6 +31,7 @@ test('one finger draws, and the part is there before it is lifted', tablet, asyn
 
 test('two fingers pinch, move and twist', tablet, async (app) => {
   await app.touch([ring(400, 300, 80)]);
+  await app.key('Escape');  // its panel is where a finger will be
   const text = await app.document();
   const camera = async () => (await app.stats()).camera;
   const start = await camera();
