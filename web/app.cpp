@@ -601,7 +601,7 @@ void App::click(Vec2 pixel, bool shift) {
     const double reach = ui_.touch() ? kBoneTouch_px : kBoneReach_px;
     if (const auto joint = boneAt(pixel, evaluation_, ui_.camera, ui_.size, reach)) {
       id = evaluation_.placed()[evaluation_.rig().joints[*joint].part].id;
-      branch = std::to_string(evaluation_.rig().joints[*joint].branch);
+      branch = branchKey(evaluation_.rig().joints[*joint].branch);
     }
   }
   if (id.empty()) {
