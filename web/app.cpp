@@ -485,11 +485,13 @@ void App::update() {
   }
   document_changed_ = false;
   const double start_ms = clock_();
+  const uint64_t rig_before = evaluation_.rigId();
   evaluation_.update(shown_);
+  const double took_ms = clock_() - start_ms;
   forgetWhatIsGone();
-  if (evaluation_.recomputed() == 0) return;
-  meter_.last_evaluation_ms = clock_() - start_ms;
-  if (ui_.edit) return;
+  if (evaluation_.recomputed() == 0 && evaluation_.rigId() == rig_before) return;
+  meter_.last_evaluation_ms = took_ms;
+  if (evaluation_.recomputed() == 0 || ui_.edit) return;
   const EvaluatedPart& last = evaluation_.parts().back();
   if (last.part) meter_.last_part = last.part->timings;
 }
@@ -600,7 +602,7 @@ void App::click(Vec2 pixel, bool shift) {
     const double reach = ui_.touch() ? kBoneTouch_px : kBoneReach_px;
     if (const auto joint = boneAt(pixel, evaluation_, ui_.camera, ui_.size, reach)) {
       id = evaluation_.placed()[evaluation_.rig().joints[*joint].part].id;
-      branch = std::to_string(evaluation_.rig().joints[*joint].branch);
+      branch = branchKey(evaluation_.rig().joints[*joint].branch);
     }
   }
   if (id.empty()) {

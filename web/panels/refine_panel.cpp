@@ -182,8 +182,7 @@ class Thresholds {
           if (joint.part >= placed.size() || placed[joint.part].twin) return false;
           if (std::find(ids_.begin(), ids_.end(), placed[joint.part].id) == ids_.end())
             return false;
-          return scope_ != RefineScope::branch ||
-                 std::to_string(joint.branch) == ui_.selection.branch;
+          return scope_ != RefineScope::branch || branchKey(joint.branch) == ui_.selection.branch;
         }));
   }
 
