@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "document/depth.h"
 #include "document/symmetry.h"
 #include "io/document_json.h"
 #include "pick.h"
@@ -17,8 +16,6 @@ constexpr int kSettleFrames = 3;
 constexpr double kPreviewShare = 0.6;
 // So near to a bone a click means the bone.
 constexpr double kBoneReach_px = 7, kBoneTouch_px = 16;
-// How far a copy lies from its original, on the screen.
-constexpr double kCopyAway_px = 24;
 // A stroke shorter than this on the screen was no stroke.
 constexpr double kShortestStroke_px = 20;
 constexpr const char* kAlone =
@@ -141,6 +138,7 @@ bool App::handle(const PointerEvent& event) {
       break;
     case Tools::Gesture::begin:
       closeEdit();
+      forgetWhatIsGone();
       hand_.begin(tools_.drawing(), shift_, ui_, world());
       break;
     case Tools::Gesture::move:
@@ -202,186 +200,6 @@ void App::finishStroke() {
   StrokePlace::Place found = place.at(points);
   if (found.completed) points = std::move(found.stroke);
   apply(AddPart{std::move(points), found.frame, found.mirror});
-}
-
-void App::handle(const KeyEvent& event) {
-  if (handleFileKey(event.key)) return;
-  if (panels_.wantsText() && event.key != Key::undo && event.key != Key::redo) {
-    panels_.key(event);
-    return;
-  }
-  if (event.character != 0) {
-    handleCharacter(event.character);
-    return;
-  }
-  switch (event.key) {
-    case Key::undo:
-      undo();
-      break;
-    case Key::redo:
-      redo();
-      break;
-    case Key::delete_forward:
-    case Key::backspace:
-      if (hand_.key('\b', ui_)) break;
-      if (!tools_.drawing().active() && !ui_.selection.empty()) {
-        apply(DeleteParts{ui_.selection.ids});
-      }
-      break;
-    case Key::enter:
-      if (!hand_.followsKey()) break;
-      if (const auto command = hand_.finishByKey(ui_)) apply(*command);
-      break;
-    case Key::escape:
-      escape();
-      break;
-    case Key::select_all:
-      ui_.selection.clear();
-      for (const PlacedPart& placed : evaluation_.placed()) {
-        const PartSource& source = *evaluation_.parts()[placed.source].source;
-        if (source.visible && !source.locked) ui_.selection.ids.push_back(placed.id);
-      }
-      break;
-    case Key::home:
-      frameAll();
-      break;
-    default:
-      break;
-  }
-}
-
-bool App::escape() {
-  if (tools_.cancelGesture() || hand_.mode() != Hand::Mode::idle) {
-    hand_.cancel(ui_);
-    document_changed_ = true;
-  } else if (ui_.edit) {
-    closeEdit();
-  } else if (ui_.attaching) {
-    ui_.attaching = false;
-  } else if (ui_.open.anySheet()) {
-    ui_.open.closeSheets();
-  } else if (!ui_.selection.empty()) {
-    ui_.selection.clear();
-  } else {
-    ui_.tool = ToolKind::draw;
-  }
-  return true;
-}
-
-bool App::handleCharacter(char character) {
-  if (hand_.key(character, ui_)) return true;
-  if (tools_.drawing().active()) return false;
-  switch (character) {
-    case 'g':
-    case 'G':
-      transformByKey(TransformKind::move);
-      break;
-    case 'r':
-    case 'R':
-      transformByKey(TransformKind::rotate);
-      break;
-    case 's':
-    case 'S':
-      transformByKey(TransformKind::scale);
-      break;
-    case 'x':
-    case 'X':
-      if (!ui_.selection.empty()) apply(DeleteParts{ui_.selection.ids});
-      break;
-    case 'D':
-      if (!ui_.selection.empty()) {
-        const auto [right, up, back] = ui_.camera.axes();
-        apply(DuplicateParts{ui_.selection.ids, (right - up) * (kCopyAway_px / ui_.camera.zoom)});
-      }
-      break;
-    case 'h':
-      toggleVisible(false);
-      break;
-    case 'H':
-      toggleVisible(true);
-      break;
-    case '[':
-      layer(false);
-      break;
-    case ']':
-      layer(true);
-      break;
-    case 'm':
-      ui_.symmetry = !ui_.symmetry;
-      break;
-    case 'b':
-      useTool(ToolKind::draw);
-      break;
-    case 'v':
-      useTool(ToolKind::select);
-      break;
-    case 'c':
-      useTool(ui_.tool == ToolKind::redraw ? ToolKind::reshape : ToolKind::redraw);
-      break;
-    case 'C':
-      useTool(ToolKind::reshape);
-      break;
-    case 'l':
-      useTool(ToolKind::line);
-      break;
-    case '1':
-      show(StandardView::front);
-      break;
-    case '3':
-      show(StandardView::right);
-      break;
-    case '7':
-      show(StandardView::top);
-      break;
-    case 'f':
-    case 'F':
-      frameAll();
-      break;
-    case '?':
-      ui_.open.help = !ui_.open.help;
-      break;
-    default:
-      return false;
-  }
-  return true;
-}
-
-void App::transformByKey(TransformKind kind) {
-  closeEdit();
-  if (!hand_.beginByKey(kind, pointer_px_, ui_, world())) {
-    say("Select a part first: click it.");
-  }
-}
-
-void App::useTool(ToolKind tool) {
-  hand_.cancel(ui_);
-  ui_.tool = tool;
-  const bool outline = tool == ToolKind::redraw || tool == ToolKind::reshape;
-  if (outline && ui_.selection.empty()) {
-    say("Click the part whose outline you want to change.");
-  }
-}
-
-void App::toggleVisible(bool show_all) {
-  std::vector<std::string> ids;
-  for (const EvaluatedPart& part : evaluation_.parts()) {
-    if (show_all && !part.source->visible) ids.push_back(part.source->id);
-  }
-  if (!show_all) ids = ui_.selection.ids;
-  if (!ids.empty()) apply(SetVisible{ids, show_all});
-}
-
-void App::layer(bool nearer) {
-  if (ui_.selection.empty()) return;
-  TransformParts move{ui_.selection.ids, {}, "Move"};
-  const auto way = layerMove(evaluation_, ui_.selection.ids, ui_.camera.axes()[2], nearer);
-  if (way) {
-    move.map.move = *way;
-    apply(move);
-  } else {
-    say(nearer ? "No part that it covers lies further in front."
-               : "No part that it covers lies further back.");
-  }
 }
 
 void App::applyRequests() {
@@ -488,7 +306,6 @@ void App::update() {
   const uint64_t rig_before = evaluation_.rigId();
   evaluation_.update(shown_);
   const double took_ms = clock_() - start_ms;
-  forgetWhatIsGone();
   if (evaluation_.recomputed() == 0 && evaluation_.rigId() == rig_before) return;
   meter_.last_evaluation_ms = took_ms;
   if (evaluation_.recomputed() == 0 || ui_.edit) return;
