@@ -107,7 +107,7 @@ test('a stroke over a panel, a dot, a line and a scribble leave no nonsense behi
   await refused(dense([[400, 400], [900, 400], [400, 400]]), 'there and back');
   assert.equal(await app.page.evaluate(() => marrow.undo()), false, 'nothing to undo');
 
-  const scribble = Array.from({length: 400}, (_, i) =>
+  const scribble = Array.from({length: 400}, (_, i) => i + 1).map((i) =>
       [600 + 220 * Math.sin(i * 1.7) * Math.cos(i * 0.013),
        400 + 200 * Math.cos(i * 2.3 + Math.sin(i))]);
   await app.draw(scribble);
