@@ -1,12 +1,16 @@
 // The oracle and the fallback: CGAL's straight skeleton in our conventions. The only file of this
 // room that includes CGAL.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/create_straight_skeleton_2.h>
+#include <CGAL/Straight_skeleton_2.h>
+#include <CGAL/Straight_skeleton_builder_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <new>
 #include <numeric>
+#include <vector>
 
 #include "skeleton/straight_skeleton.h"
 #include "sketch/polygon.h"
@@ -15,7 +19,37 @@ namespace marrow {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using CgalSkeleton = CGAL::Straight_skeleton_2<Kernel>;
+
+/// Memory that CGAL has given back, until a skeleton is done: where many nodes coincide, CGAL 5.5's
+/// builder still looks at vertices that it has erased.
+std::vector<void*>& graveyard() {
+  static thread_local std::vector<void*> freed;
+  return freed;
+}
+
+struct Undertaker {
+  ~Undertaker() {
+    for (void* freed : graveyard()) ::operator delete(freed);
+    graveyard().clear();
+  }
+};
+
+template <typename T>
+struct KeepingAllocator {
+  using value_type = T;
+  KeepingAllocator() = default;
+  template <typename Other>
+  KeepingAllocator(const KeepingAllocator<Other>&) {}
+  T* allocate(size_t count) { return static_cast<T*>(::operator new(count * sizeof(T))); }
+  void deallocate(T* freed, size_t) { graveyard().push_back(freed); }
+  friend bool operator==(const KeepingAllocator&, const KeepingAllocator&) { return true; }
+  friend bool operator!=(const KeepingAllocator&, const KeepingAllocator&) { return false; }
+};
+
+using CgalSkeleton =
+    CGAL::Straight_skeleton_2<Kernel, CGAL::Straight_skeleton_items_2, KeepingAllocator<int>>;
+using Builder = CGAL::Straight_skeleton_builder_2<CGAL::Straight_skeleton_builder_traits_2<Kernel>,
+                                                  CgalSkeleton>;
 
 constexpr double kMergeRatio = 1e-9;  // × the polygon's size: nodes this close are one event
 
@@ -124,12 +158,14 @@ Result<StraightSkeleton> straightSkeletonByCgal(const std::vector<Vec2>& polygon
   }
   if (!(signedArea(polygon) > 0) || !isSimple(polygon)) return Status::notAPolygon;
 
+  const Undertaker after_all_else;
   try {
     std::vector<Kernel::Point_2> contour;
     contour.reserve(polygon.size());
     for (const Vec2 p : polygon) contour.emplace_back(p.x, p.y);
-    const auto cgal =
-        CGAL::create_interior_straight_skeleton_2(contour.begin(), contour.end(), Kernel());
+    Builder builder;
+    builder.enter_contour(contour.begin(), contour.end());
+    const auto cgal = builder.construct_skeleton();
     if (!cgal) return Status::skeletonFailed;
 
     auto result = convert(polygon, *cgal);
