@@ -32,8 +32,9 @@ class Marks {
   void symmetryLine() {
     const auto plane = symmetryPlane(input_.shown);
     if (!plane || !ui_.symmetry) return;
-    const bool asked = ui_.tool == ToolKind::line || input_.shown.symmetry ||
-                       input_.hand.mode() == Hand::Mode::stroke;
+    // Before the first stroke, too: a half outline begins on it.
+    const bool asked = ui_.tool == ToolKind::line || input_.hand.mode() == Hand::Mode::stroke ||
+                       input_.shown.parts.empty();
     const auto [right, up, back] = ui_.camera.axes();
     const Vec2 normal{dot(right, plane->normal), -dot(up, plane->normal)};
     if (!asked || length(normal) < 0.985) return;  // not seen as a line
