@@ -34,6 +34,14 @@ struct Undertaker {
   }
 };
 
+/// An erased vertex has a negative id, by which CGAL would look it up.
+template <typename Vertex>
+auto restoreId(Vertex* vertex, int) -> decltype(vertex->reset_id__internal__(0)) {
+  if (vertex->id() < 0) vertex->reset_id__internal__(-vertex->id());
+}
+template <typename Other>
+void restoreId(Other*, long) {}
+
 template <typename T>
 struct KeepingAllocator {
   using value_type = T;
@@ -41,7 +49,11 @@ struct KeepingAllocator {
   template <typename Other>
   KeepingAllocator(const KeepingAllocator<Other>&) {}
   T* allocate(size_t count) { return static_cast<T*>(::operator new(count * sizeof(T))); }
-  void deallocate(T* freed, size_t) { graveyard().push_back(freed); }
+  void deallocate(T* freed, size_t) {
+    restoreId(freed, 0);
+    graveyard().push_back(freed);
+  }
+
   friend bool operator==(const KeepingAllocator&, const KeepingAllocator&) { return true; }
   friend bool operator!=(const KeepingAllocator&, const KeepingAllocator&) { return false; }
 };
