@@ -102,6 +102,8 @@ class App {
   void forgetWhatIsGone();
   void updateLivePart();
   void click(Vec2 pixel, bool shift);
+  /// The joint at the end of the bone that a click there means.
+  std::optional<size_t> boneUnder(Vec2 pixel) const;
   void attachAt(Vec2 pixel);
   Hand::World world() const { return {document(), evaluation_, ground()}; }
   Vec3 ground() const;

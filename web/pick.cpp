@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/box.h"
 #include "sketch/polygon.h"
 
 namespace marrow {
@@ -106,12 +107,7 @@ std::vector<std::string> partsInBox(Vec2 a_px, Vec2 b_px, const Evaluation& eval
 
 Vec3 middleOf(const EvaluatedPart& part, const Frame& frame) {
   if (!part.part) return frame.origin;
-  Vec2 low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
-  for (const Vec2 p : part.part->outline.dense) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return frame.toWorld((low + high) / 2);
+  return frame.toWorld(boxOf(part.part->outline.dense).middle());
 }
 
 }  // namespace marrow

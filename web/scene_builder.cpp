@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "base/box.h"
 
 namespace marrow {
 namespace {
@@ -61,8 +62,8 @@ class Builder {
     const Vec3 up = frame.z() * height;
     for (const Vec2 p : part->outline.dense) {
       const Vec3 world = frame.toWorld(p);
-      grow(world + up);
-      grow(world - up);
+      box_.include(world + up);
+      box_.include(world - up);
     }
     if (ui_.show.straight_skeleton) addStraightSkeleton(*part, frame);
     if (ui_.show.proxy) addProxy(part->skeleton, frame);
@@ -125,16 +126,15 @@ class Builder {
 
   /// The plane of a stroke, around the model: what is in front of it hides it.
   void addSheet(const Frame& frame) {
-    const Vec3 low = low_, high = high_;
-    if (!(low.x <= high.x)) return;
-    const Vec3 middle = (low + high) / 2;
+    if (box_.isEmpty()) return;
+    const Vec3 middle = box_.middle();
     const Vec3 normal = frame.z() / frame.scale();
     const Vec3 center = middle - normal * dot(normal, middle - frame.origin);
     addRectangle(center, frame.x, frame.y, kSheet);
   }
   void addSymmetryPlane(const Plane& plane) {
-    if (!(low_.x <= high_.x)) return;
-    const Vec3 middle = mirroredOnto((low_ + high_) / 2, plane);
+    if (box_.isEmpty()) return;
+    const Vec3 middle = mirroredOnto(box_.middle(), plane);
     const Vec3 helper = std::abs(plane.normal.y) < 0.9 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
     const Vec3 across = cross(helper, plane.normal);
     const Vec3 u = across / length(across);
@@ -142,9 +142,9 @@ class Builder {
   }
 
   Scene finish() {
-    if (low_.x <= high_.x) {
-      scene_.low = relative(low_, ui_.camera.target);
-      scene_.high = relative(high_, ui_.camera.target);
+    if (!box_.isEmpty()) {
+      scene_.low = relative(box_.low, ui_.camera.target);
+      scene_.high = relative(box_.high, ui_.camera.target);
     }
     double reach = 1000 / ui_.camera.zoom;
     for (const Float3 corner : {scene_.low, scene_.high}) {
@@ -164,13 +164,8 @@ class Builder {
     return p - plane.normal * distance(plane, p);
   }
 
-  void grow(Vec3 p) {
-    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
-    high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
-  }
-
   void addRectangle(Vec3 center, Vec3 x, Vec3 y, Rgba color) {
-    const Vec3 half = (high_ - low_) / 2;
+    const Vec3 half = box_.size() / 2;
     const auto reach = [&](Vec3 axis) {
       return (std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z) +
              kSheetMargin * length(half);
@@ -210,9 +205,7 @@ class Builder {
 
   const UiState& ui_;
   Scene scene_;
-  Vec3 low_{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-            std::numeric_limits<double>::infinity()};
-  Vec3 high_{-low_.x, -low_.y, -low_.z};
+  Box3 box_;  // around the bodies
 };
 
 }  // namespace

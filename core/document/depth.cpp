@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "base/box.h"
+
 namespace marrow {
 namespace {
 
@@ -20,24 +22,15 @@ struct Span {
   double extent() const { return high - low; }
 };
 
-struct Box {
-  Vec3 low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
-
-  void add(Vec3 p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-};
-
-Box boxOf(const Part& part) {
-  Box box;
-  for (const Vec3 p : part.mesh.positions) box.add(p);
+Box3 boxOf(const Part& part) {
+  Box3 box;
+  for (const Vec3 p : part.mesh.positions) box.include(p);
   return box;
 }
 
-Span spanOf(const Box& box, const Frame& frame, Vec3 direction) {
-  const Vec3 half = (box.high - box.low) / 2;
-  const double middle = dot(direction, frame.toWorld((box.low + box.high) / 2));
+Span spanOf(const Box3& box, const Frame& frame, Vec3 direction) {
+  const Vec3 half = box.size() / 2;
+  const double middle = dot(direction, frame.toWorld(box.middle()));
   const double reach = std::abs(dot(direction, frame.x)) * half.x +
                        std::abs(dot(direction, frame.y)) * half.y +
                        std::abs(dot(direction, frame.z())) * half.z;
@@ -55,9 +48,8 @@ class Layers {
   static std::optional<Layers> of(const Evaluation& evaluation, const Ids& ids, Vec3 viewer) {
     if (ids.empty()) return std::nullopt;
     const auto& placed = evaluation.placed();
-    const auto found = std::find_if(placed.begin(), placed.end(),
-                                    [&](const PlacedPart& one) { return one.id == ids.back(); });
-    if (found == placed.end() || !evaluation.parts()[found->source].part) return std::nullopt;
+    const PlacedPart* found = findPlaced(placed, ids.back());
+    if (!found || !evaluation.parts()[found->source].part) return std::nullopt;
     std::vector<char> named(evaluation.parts().size(), 0);
     for (size_t i = 0; i < named.size(); ++i) {
       const std::string& id = evaluation.parts()[i].source->id;
@@ -70,12 +62,12 @@ class Layers {
     const Vec3 normal = frame.z() / frame.scale();
     layers.direction = dot(normal, viewer) < 0 ? -normal : normal;
     layers.own = spanOf(layers.box_, frame, layers.direction);
-    const Vec3 extent = layers.box_.high - layers.box_.low;
+    const Vec3 extent = layers.box_.size();
     layers.size = std::max(extent.x, extent.y) * frame.scale();
     for (const PlacedPart& other : placed) {
       const EvaluatedPart& evaluated = evaluation.parts()[other.source];
       if (named[other.source] || !evaluated.part || !evaluated.source->visible) continue;
-      const Box box = boxOf(*evaluated.part);
+      const Box3 box = boxOf(*evaluated.part);
       layers.others.push_back(
           {spanOf(box, other.frame, layers.direction), layers.overlaps(frame, box, other.frame)});
     }
@@ -88,18 +80,18 @@ class Layers {
   std::vector<Other> others;  // in modelling order
 
  private:
-  bool overlaps(const Frame& frame, const Box& box, const Frame& box_frame) const {
-    Box seen;
+  bool overlaps(const Frame& frame, const Box3& box, const Frame& box_frame) const {
+    Box3 seen;
     for (int corner = 0; corner < 8; ++corner) {
       const Vec3 p{corner & 1 ? box.low.x : box.high.x, corner & 2 ? box.low.y : box.high.y,
                    corner & 4 ? box.low.z : box.high.z};
-      seen.add(frame.toLocal(box_frame.toWorld(p)));
+      seen.include(frame.toLocal(box_frame.toWorld(p)));
     }
     return seen.low.x < box_.high.x && seen.high.x > box_.low.x && seen.low.y < box_.high.y &&
            seen.high.y > box_.low.y;
   }
 
-  Box box_;  // of the part, in its frame
+  Box3 box_;  // of the part, in its frame
 };
 
 }  // namespace

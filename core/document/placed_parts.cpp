@@ -3,19 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/box.h"
+
 namespace marrow {
 namespace {
 
 constexpr size_t kSuffixLength = sizeof kTwinSuffix - 1;
 
 Vec2 middle(const std::vector<Vec2>& stroke) {
-  if (stroke.empty()) return {};
-  Vec2 low = stroke[0], high = stroke[0];
-  for (Vec2 p : stroke) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return (low + high) * 0.5;
+  return stroke.empty() ? Vec2{} : boxOf(stroke).middle();
 }
 
 /// Whether the side that the normal points to is the character's left.
@@ -51,6 +47,12 @@ std::vector<PlacedPart> placedParts(const Document& document) {
 bool isTwinId(const std::string& placed_id) {
   return placed_id.size() >= kSuffixLength &&
          placed_id.compare(placed_id.size() - kSuffixLength, kSuffixLength, kTwinSuffix) == 0;
+}
+
+const PlacedPart* findPlaced(const std::vector<PlacedPart>& placed, const std::string& id) {
+  const auto found = std::find_if(placed.begin(), placed.end(),
+                                  [&](const PlacedPart& one) { return one.id == id; });
+  return found == placed.end() ? nullptr : &*found;
 }
 
 std::string sourceId(const std::string& placed_id) {

@@ -24,6 +24,9 @@ struct PlacedPart {
 /// In modelling order, each twin after its part. O(parts).
 std::vector<PlacedPart> placedParts(const Document& document);
 
+/// The one with this id; null where there is none. O(parts).
+const PlacedPart* findPlaced(const std::vector<PlacedPart>& placed, const std::string& id);
+
 /// The id of the part that a placed part belongs to, and whether that is its twin.
 std::string sourceId(const std::string& placed_id);
 bool isTwinId(const std::string& placed_id);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/box.h"
 #include "document/placement.h"
 #include "sketch/polygon.h"
 
@@ -16,28 +17,13 @@ constexpr double kUpright = 1e-3;       // of the cosine between normals
 constexpr double kEndsApart = 1. / 20;  // of the stroke's length
 constexpr double kLengthy = 1.2;        // wider than high by this factor: seen from the side
 
-struct Box {
-  Vec2 low, high;
-  Vec2 middle() const { return (low + high) * 0.5; }
-  Vec2 size() const { return high - low; }
-};
-
-Box boxOf(const std::vector<Vec2>& points) {
-  Box box{points[0], points[0]};
-  for (Vec2 p : points) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
-}
-
 }  // namespace
 
 std::optional<Plane> symmetryPlane(const Document& document) {
   if (document.symmetry) return document.symmetry;
   if (document.parts.empty() || document.parts[0]->stroke.empty()) return std::nullopt;
   const PartSource& body = *document.parts[0];
-  const Box box = boxOf(body.stroke);
+  const Box2 box = boxOf(body.stroke);
   const bool from_side = box.size().x > kLengthy * box.size().y;
   const Vec3 normal = from_side ? body.frame.z() : body.frame.x;
   const auto plane = normalised({normal, 0});

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
 
+#include "base/box.h"
 #include "io/export_text.h"
 #include "io/rig_export.h"
 #include "rig/names.h"
@@ -41,18 +41,6 @@ constexpr std::array<Side, 3> kSides = {{{"front", {1, 0, 0}, {0, 1, 0}},
                                          {"right", {0, 0, -1}, {0, 1, 0}},
                                          {"top", {1, 0, 0}, {0, 0, -1}}}};
 
-struct Box {
-  Vec2 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Vec2 high = -low;
-
-  void include(Vec2 p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  bool isEmpty() const { return !(low.x <= high.x); }
-  Vec2 size() const { return isEmpty() ? Vec2{} : high - low; }
-};
-
 /// A visible part in space.
 struct Body {
   const RigPart* part;
@@ -78,11 +66,12 @@ std::vector<Body> bodiesOf(const std::vector<RigPart>& parts) {
 /// One side's place in the picture.
 struct View {
   Side side;
-  Box box;
+  Box2 box;
   double scale = 1;
   Vec2 corner;  // top left
 
-  Vec2 size() const { return box.size() * scale; }
+  Vec2 size() const { return extent() * scale; }
+  Vec2 extent() const { return box.isEmpty() ? Vec2{} : box.size(); }
   Vec2 operator()(Vec3 p) const {
     const Vec2 flat = side(p);
     return corner + Vec2{flat.x - box.low.x, box.high.y - flat.y} * scale;
@@ -182,8 +171,8 @@ std::array<View, 3> arrange(const std::vector<Body>& bodies, const Rig& rig) {
       for (Vec3 p : body.positions) view.box.include(view.side(p));
     }
     for (const Rig::Joint& joint : rig.joints) view.box.include(view.side(joint.position));
-    width += view.box.size().x;
-    height = std::max(height, view.box.size().y);
+    width += view.extent().x;
+    height = std::max(height, view.extent().y);
   }
   const double scale = width > 0 || height > 0 ? 1 / std::max(width / kRow, height / kTallest) : 1;
   double x = kMargin;

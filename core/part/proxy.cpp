@@ -1,8 +1,11 @@
 #include "part/proxy.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+
+#include "base/box.h"
 
 namespace marrow {
 namespace {
@@ -16,14 +19,10 @@ constexpr int kMostCells = 64;  // per side of the grid
 class TriangleGrid {
  public:
   explicit TriangleGrid(const Mesh& mesh) {
-    const double far = std::numeric_limits<double>::infinity();
-    Vec2 low{far, far}, high{-far, -far};
-    for (const Vec3& p : mesh.positions) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    origin_ = low;
-    const double width = high.x - low.x, height = high.y - low.y;
+    Box2 box;
+    for (const Vec3& p : mesh.positions) box.include(Vec2{p.x, p.y});
+    origin_ = box.low;
+    const double width = box.size().x, height = box.size().y;
     const size_t count = mesh.triangles.size();
     const double wanted = std::sqrt(width * height / (0.25 * static_cast<double>(count)));
     cell_ = std::max(wanted, std::max(width, height) / kMostCells);
@@ -38,10 +37,9 @@ class TriangleGrid {
       const auto& triangle = mesh.triangles[t];
       const Vec3 &a = mesh.positions[triangle[0]], &b = mesh.positions[triangle[1]],
                  &c = mesh.positions[triangle[2]];
-      const Vec2 least{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})};
-      const Vec2 most{std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})};
-      largest = {std::max(largest.x, most.x - least.x), std::max(largest.y, most.y - least.y)};
-      const Vec2 middle = (least + most) * 0.5 - low;
+      const Box2 triangle_box = boxOf(std::array{Vec2{a.x, a.y}, Vec2{b.x, b.y}, Vec2{c.x, c.y}});
+      largest = most(largest, triangle_box.size());
+      const Vec2 middle = triangle_box.middle() - origin_;
       const size_t column = static_cast<size_t>(middle.x / cell_);
       const size_t row = static_cast<size_t>(middle.y / cell_);
       cells[t] = static_cast<uint32_t>(row * columns_ + column);

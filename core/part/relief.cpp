@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/box.h"
+
 namespace marrow {
 
 Relief::Relief(const Mesh& mesh, const std::vector<double>& depths) {
   if (mesh.positions.empty()) return;
-  low_ = high_ = {mesh.positions[0].x, mesh.positions[0].y};
-  for (size_t i = 0; i < mesh.positions.size(); ++i) {
-    const Vec3 p = mesh.positions[i];
-    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
-    high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
-    highest_ = std::max(highest_, depths[i]);
-  }
+  Box2 box;
+  for (const Vec3 p : mesh.positions) box.include(Vec2{p.x, p.y});
+  for (const double depth : depths) highest_ = std::max(highest_, depth);
+  low_ = box.low;
+  high_ = box.high;
   if (!(high_.x > low_.x && high_.y > low_.y)) return;
   heights_.assign(kSide * kSide, 0);
   const Vec2 cell{(high_.x - low_.x) / kSide, (high_.y - low_.y) / kSide};

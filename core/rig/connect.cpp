@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/box.h"
 #include "rig/body_overlap.h"
 
 namespace marrow {
@@ -20,25 +21,14 @@ constexpr double kPlainlyAway = 1;
 constexpr double kParallel = 1e-5;
 
 /// The box around a part's body in space.
-struct Box {
-  Vec3 low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
-
-  bool meets(const Box& other) const {
-    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
-           other.low.y <= high.y && low.z <= other.high.z && other.low.z <= high.z;
-  }
-};
-
-Box boxOf(const RigPart& part) {
-  Box box;
+Box3 bodyBox(const RigPart& part) {
+  Box3 box;
   const Relief& relief = part.part->relief;
   const double height = relief.highest() * part.source->thickness;
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p = part.placed->frame.toWorld(Vec3{corner & 1 ? relief.high().x : relief.low().x,
-                                                   corner & 2 ? relief.high().y : relief.low().y,
-                                                   corner & 4 ? height : -height});
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+    box.include(part.placed->frame.toWorld(Vec3{corner & 1 ? relief.high().x : relief.low().x,
+                                                corner & 2 ? relief.high().y : relief.low().y,
+                                                corner & 4 ? height : -height}));
   }
   return box;
 }
@@ -50,19 +40,10 @@ struct Proxy {
   std::vector<Vec3> points;
   std::vector<double> radii;
   const PartSkeleton* skeleton = nullptr;
-  Vec3 low, high;   // box around them
+  Box3 box, body;   // around them, and around the part's body
   double size = 0;  // of the box
-  Box body;
 
   bool isEnd(size_t joint) const { return skeleton->joints[joint].kind != JointKind::sleeve; }
-  bool boxHas(Vec3 p) const {
-    return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y && p.z >= low.z &&
-           p.z <= high.z;
-  }
-  bool boxMeets(const Proxy& other) const {
-    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
-           other.low.y <= high.y && low.z <= other.high.z && other.low.z <= high.z;
-  }
 };
 
 Proxy proxyOf(const RigPart& part) {
@@ -71,29 +52,25 @@ Proxy proxyOf(const RigPart& part) {
   proxy.exists = true;
   proxy.holds = part.source->skeleton;
   proxy.skeleton = &part.part->skeleton;
-  proxy.body = boxOf(part);
+  proxy.body = bodyBox(part);
   const Frame& frame = part.placed->frame;
   const double scale = frame.scale();
   const auto& joints = proxy.skeleton->joints;
   proxy.points.reserve(joints.size());
   proxy.radii.reserve(joints.size());
-  proxy.low = {kFar, kFar, kFar};
-  proxy.high = {-kFar, -kFar, -kFar};
   for (const auto& joint : joints) {
     const Vec3 p = frame.toWorld(joint.position);
     const double r = joint.radius * scale;
     proxy.points.push_back(p);
     proxy.radii.push_back(r);
-    proxy.low = {std::min(proxy.low.x, p.x - r), std::min(proxy.low.y, p.y - r),
-                 std::min(proxy.low.z, p.z - r)};
-    proxy.high = {std::max(proxy.high.x, p.x + r), std::max(proxy.high.y, p.y + r),
-                  std::max(proxy.high.z, p.z + r)};
+    proxy.box.include(p - Vec3{r, r, r});
+    proxy.box.include(p + Vec3{r, r, r});
   }
   // A little larger, so that no decision is ever the box's.
-  proxy.size = distance(proxy.low, proxy.high);
+  proxy.size = length(proxy.box.size());
   const double margin = 1e-6 * proxy.size;
-  proxy.low = proxy.low - Vec3{margin, margin, margin};
-  proxy.high = proxy.high + Vec3{margin, margin, margin};
+  proxy.box.low = proxy.box.low - Vec3{margin, margin, margin};
+  proxy.box.high = proxy.box.high + Vec3{margin, margin, margin};
   return proxy;
 }
 
@@ -276,7 +253,7 @@ class Connecting {
       // What the user took off is not to be taken back from the other side.
       if (other > child && isTakenOff(treeOf(other))) continue;
       const Proxy &one = proxies_[child], &two = proxies_[other];
-      if (one.boxMeets(two) || one.body.meets(two.body)) candidates_.push_back(other);
+      if (one.box.meets(two.box) || one.body.meets(two.body)) candidates_.push_back(other);
     }
     attachTo(child, candidates_);
   }
@@ -290,7 +267,7 @@ class Connecting {
     for (const uint32_t candidate : candidates) {
       const Proxy& other = proxies_[candidate];
       for (size_t j = 0; j < proxy.points.size(); ++j) {
-        if (!proxy.isEnd(j) || !other.boxHas(proxy.points[j])) continue;
+        if (!proxy.isEnd(j) || !other.box.has(proxy.points[j])) continue;
         const double depth = penetration(other, proxy.points[j]);
         if (!(depth > best)) continue;
         if (connection.parent != candidate && !(depth > best + kTie)) continue;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/box.h"
 #include "skeleton/inside.h"
 
 namespace marrow {
@@ -185,22 +186,14 @@ void measure(const std::vector<Edge>& edges, std::vector<BranchSample>& samples,
   }
 }
 
-struct Box {
-  Vec2 low, high;
-};
-
-Box boxOf(const std::vector<BranchSample>& samples, size_t first, size_t last) {
-  Box box{samples[first].point, samples[first].point};
-  for (size_t i = first + 1; i <= last; ++i) {
-    const Vec2 p = samples[i].point;
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
+Box2 boxOf(const std::vector<BranchSample>& samples, size_t first, size_t last) {
+  Box2 box;
+  for (size_t i = first; i <= last; ++i) box.include(samples[i].point);
   return box;
 }
 
 NearEdges edgesAround(const Region& region, const std::vector<BranchSample>& samples) {
-  const Box box = boxOf(samples, 0, samples.size() - 1);
+  const Box2 box = boxOf(samples, 0, samples.size() - 1);
   return NearEdges(region, box.low, box.high);
 }
 
@@ -211,7 +204,7 @@ bool staysInside(const Region& region, const std::vector<BranchSample>& samples)
   NearEdges near;
   for (size_t first = 0; first + 1 < samples.size(); first += kChunk) {
     const size_t last = std::min(first + kChunk, samples.size() - 1);
-    const Box box = boxOf(samples, first, last);
+    const Box2 box = boxOf(samples, first, last);
     near.narrow(around, box.low, box.high);
     for (size_t i = first; i < last; ++i) {
       if (!near.isClear(samples[i].point, samples[i + 1].point)) return false;

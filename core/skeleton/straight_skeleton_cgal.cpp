@@ -12,6 +12,7 @@
 #include <numeric>
 #include <vector>
 
+#include "base/box.h"
 #include "skeleton/straight_skeleton.h"
 #include "sketch/polygon.h"
 
@@ -66,12 +67,8 @@ using Builder = CGAL::Straight_skeleton_builder_2<CGAL::Straight_skeleton_builde
 constexpr double kMergeRatio = 1e-9;  // × the polygon's size: nodes this close are one event
 
 double sizeOf(const std::vector<Vec2>& polygon) {
-  Vec2 low = polygon.front(), high = polygon.front();
-  for (const Vec2 p : polygon) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return std::max(high.x - low.x, high.y - low.y);
+  const Vec2 size = boxOf(polygon).size();
+  return std::max(size.x, size.y);
 }
 
 Result<StraightSkeleton> convert(const std::vector<Vec2>& polygon, const CgalSkeleton& cgal) {

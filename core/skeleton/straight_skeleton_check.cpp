@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/box.h"
 #include "skeleton/straight_skeleton.h"
 
 namespace marrow {
@@ -13,12 +14,8 @@ constexpr double kTolerance = 1e-7;  // × the polygon's size
 using Kind = StraightSkeleton::Kind;
 
 double sizeOf(const std::vector<Vec2>& polygon) {
-  Vec2 low = polygon[0], high = polygon[0];
-  for (const Vec2 p : polygon) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return std::max(high.x - low.x, high.y - low.y);
+  const Vec2 size = boxOf(polygon).size();
+  return std::max(size.x, size.y);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/box.h"
 #include "skeleton/straight_skeleton.h"
 
 namespace marrow {
@@ -163,15 +164,11 @@ bool velocityBetween(Vec2 in, Vec2 out, Vec2& velocity) {
 }
 
 Wavefront::Wavefront(const std::vector<Vec2>& polygon) : n_(polygon.size()), polygon_(polygon) {
-  Vec2 low = polygon[0], high = polygon[0];
-  for (const Vec2 p : polygon) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  center_ = (low + high) / 2;
+  const Box2 box = boxOf(polygon);
+  center_ = box.middle();
   // A power of two, so that going there and back loses nothing.
   int exponent = 0;
-  std::frexp(std::max(high.x - low.x, high.y - low.y), &exponent);
+  std::frexp(std::max(box.size().x, box.size().y), &exponent);
   unit_ = std::ldexp(1.0, exponent);
 
   const auto n = static_cast<uint32_t>(n_);

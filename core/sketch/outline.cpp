@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/box.h"
 #include "sketch/arc_curve.h"
 #include "sketch/polygon.h"
 #include "sketch/resample.h"
@@ -50,20 +51,6 @@ constexpr double kOnLine = 1e-9;        // × the shape's diameter
 constexpr double kSpikeBySteps = 0.04;  // thinner spikes than this go,
 constexpr double kSpikeByWidth = 0.05;  // if they are that thin beside the shape as well
 
-struct Box {
-  Vec2 low, high;
-  Vec2 size() const { return high - low; }
-};
-
-Box boxOf(const std::vector<Vec2>& points) {
-  Box box{points[0], points[0]};
-  for (const Vec2& p : points) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
-}
-
 bool isUsable(Vec2 p) {
   return std::fabs(p.x) <= kLargest && std::fabs(p.y) <= kLargest;  // false for NaN as well
 }
@@ -84,7 +71,7 @@ bool hasThreeDistinct(const std::vector<Vec2>& points) {
 /// overflows there, and scaling the stroke by a power of two changes no bit.
 class Frame {
  public:
-  explicit Frame(const Box& box) : origin_(box.low) {
+  explicit Frame(const Box2& box) : origin_(box.low) {
     std::frexp(std::max(box.size().x, box.size().y), &exponent_);
     exponent_ = std::max(exponent_, -kMostExponent);
     scale_ = std::ldexp(1.0, exponent_);
@@ -92,7 +79,7 @@ class Frame {
   }
   Vec2 toLocal(Vec2 p) const { return (p - origin_) * inverse_; }
   /// About how far apart the numbers are in which the model holds these points.
-  double resolution(const Box& box) const {
+  double resolution(const Box2& box) const {
     const double largest = std::max(
         {std::fabs(box.low.x), std::fabs(box.low.y), std::fabs(box.high.x), std::fabs(box.high.y)});
     return std::ldexp(largest, -52 - exponent_);
@@ -303,7 +290,7 @@ Result<Outline> makeOutline(const std::vector<Vec2>& stroke, const OutlineOption
   dropRepeats(points);
   if (points.size() < 3 || !hasThreeDistinct(points)) return Status::tooFewPoints;
 
-  const Box box = boxOf(points);
+  const Box2 box = boxOf(points);
   const Frame frame(box);
   for (Vec2& p : points) p = frame.toLocal(p);
   dropRepeats(points);

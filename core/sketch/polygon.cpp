@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/box.h"
 #include "sketch/edge_grid.h"
 #include "sketch/turn_sign.h"
 
@@ -22,41 +23,27 @@ bool segmentsMeet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   return turnSign(c, d, a) * turnSign(c, d, b) <= 0;
 }
 
-struct Box {
-  Vec2 low, high;
-};
-
-Box boxOf(Vec2 a, Vec2 b) {
-  return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
-}
-
-bool meet(const Box& a, const Box& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-}
-
 /// Calls visit(e, f) for pairs of edges e > f, no neighbours, that have a point in common, while it
 /// returns true: runs of edges against runs of edges, by the boxes around them.
 template <typename Visit>
 void forEachMeeting(const std::vector<Vec2>& polygon, Visit visit) {
   constexpr uint32_t kRun = 6;
   const auto n = static_cast<uint32_t>(polygon.size());
-  std::vector<Box> edges(n), runs((n + kRun - 1) / kRun);
+  std::vector<Box2> edges(n), runs((n + kRun - 1) / kRun);
   for (uint32_t i = 0; i < n; ++i) {
-    edges[i] = boxOf(polygon[i], polygon[i + 1 < n ? i + 1 : 0]);
-    Box& run = runs[i / kRun];
-    if (i % kRun == 0) run = edges[i];
-    run.low = {std::min(run.low.x, edges[i].low.x), std::min(run.low.y, edges[i].low.y)};
-    run.high = {std::max(run.high.x, edges[i].high.x), std::max(run.high.y, edges[i].high.y)};
+    const Vec2 a = polygon[i], b = polygon[i + 1 < n ? i + 1 : 0];
+    edges[i] = {least(a, b), most(a, b)};
+    runs[i / kRun].include(edges[i]);
   }
   for (uint32_t r = 0; r < runs.size(); ++r) {
     for (uint32_t q = 0; q <= r; ++q) {
-      if (!meet(runs[r], runs[q])) continue;
+      if (!runs[r].meets(runs[q])) continue;
       for (uint32_t e = r * kRun; e < std::min(n, (r + 1) * kRun); ++e) {
-        if (!meet(edges[e], runs[q])) continue;
+        if (!edges[e].meets(runs[q])) continue;
         // The edge before e is its neighbour; of the last edge the first one is, too.
         const uint32_t last = std::min((q + 1) * kRun, e > 0 ? e - 1 : 0);
         for (uint32_t f = e == n - 1 && q == 0 ? 1 : q * kRun; f < last; ++f) {
-          if (meet(edges[e], edges[f]) &&
+          if (edges[e].meets(edges[f]) &&
               segmentsMeet(polygon[e], polygon[e + 1 < n ? e + 1 : 0], polygon[f],
                            polygon[f + 1]) &&
               !visit(e, f)) {

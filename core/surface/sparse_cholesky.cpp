@@ -3,6 +3,8 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 
+#include "base/box.h"
+
 namespace marrow {
 namespace {
 
@@ -39,12 +41,9 @@ class Dissection {
 
   /// Rearranges order_[begin, end): one half, the other half from `middle`, the separator.
   Cut cut(size_t begin, size_t end) {
-    Vec2 low = points_[order_[begin]], high = low;
-    for (size_t i = begin; i < end; ++i) {
-      const Vec2 p = points_[order_[i]];
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
+    Box2 box;
+    for (size_t i = begin; i < end; ++i) box.include(points_[order_[i]]);
+    const auto [low, high] = box;
     const bool wide = high.x - low.x > high.y - low.y;
     const double at = wide ? low.x + (high.x - low.x) / 2 : low.y + (high.y - low.y) / 2;
     size_t upper_count = 0;

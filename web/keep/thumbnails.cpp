@@ -1,9 +1,9 @@
 #include "keep/thumbnails.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
+#include "base/box.h"
 #include "document/placed_parts.h"
 #include "io/document_json.h"
 
@@ -22,8 +22,7 @@ Float3 relative(Vec3 model, Vec3 target) {
 
 Scene sceneOf(const Document& document, const std::vector<EvaluatedPart>& parts,
               TextureId texture) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Vec3 low{kInfinity, kInfinity, kInfinity}, high = low * -1.0;
+  Box3 box;
   Scene scene;
   for (const PlacedPart& placed : placedParts(document)) {
     const EvaluatedPart& evaluated = parts[placed.source];
@@ -37,9 +36,7 @@ Scene sceneOf(const Document& document, const std::vector<EvaluatedPart>& parts,
                   static_cast<float>(color.b) / 255, 1};
     scene.bodies.push_back(std::move(body));
     for (const Vec3& position : evaluated.part->mesh.positions) {
-      const Vec3 p = placed.frame.toWorld(position);
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+      box.include(placed.frame.toWorld(position));
     }
   }
   scene.size = Thumbnail::kSize;
@@ -47,10 +44,10 @@ Scene sceneOf(const Document& document, const std::vector<EvaluatedPart>& parts,
   Camera camera;
   camera.yaw_rad = kYaw_rad;
   camera.pitch_rad = kPitch_rad;
-  scene.camera = framing(camera, low, high, scene.size, kMargin_px);
-  scene.low = relative(low, scene.camera.target);
-  scene.high = relative(high, scene.camera.target);
-  scene.depth = static_cast<float>(2 * length(high - low));
+  scene.camera = framing(camera, box.low, box.high, scene.size, kMargin_px);
+  scene.low = relative(box.low, scene.camera.target);
+  scene.high = relative(box.high, scene.camera.target);
+  scene.depth = static_cast<float>(2 * length(box.size()));
   scene.ink_camera = scene.camera;
   return scene;
 }

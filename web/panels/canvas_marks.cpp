@@ -151,10 +151,7 @@ class Marks {
   Vec2 onScreen(Vec3 world) const { return ui_.camera.toScreen(world, ui_.size); }
 
   const PlacedPart* find(const std::string& id) const {
-    for (const PlacedPart& placed : input_.evaluation.placed()) {
-      if (placed.id == id) return &placed;
-    }
-    return nullptr;
+    return findPlaced(input_.evaluation.placed(), id);
   }
   const PlacedPart& placedAt(uint32_t index) const {
     const auto& placed = input_.evaluation.placed();

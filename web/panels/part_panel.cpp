@@ -195,17 +195,13 @@ class PartPanel {
 
   Vec3 towardsViewer() const { return ui_.camera.axes()[2]; }
 
-  const PlacedPart* placed(const std::vector<PlacedPart>& all) const {
-    const std::string id = ui_.selection.primary();
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const PlacedPart& one) { return one.id == id; });
-    return found == all.end() ? nullptr : &*found;
+  Vec3 shownOrigin() const {
+    return findPlaced(input_.evaluation.placed(), ui_.selection.primary())->frame.origin;
   }
-  Vec3 shownOrigin() const { return placed(input_.evaluation.placed())->frame.origin; }
   std::optional<Vec3> committedOrigin() const {
-    if (!placed(input_.evaluation.placed())) return std::nullopt;
+    if (!findPlaced(input_.evaluation.placed(), ui_.selection.primary())) return std::nullopt;
     const auto all = placedParts(input_.history.current());
-    const PlacedPart* one = placed(all);
+    const PlacedPart* one = findPlaced(all, ui_.selection.primary());
     if (!one) return std::nullopt;
     return one->frame.origin;
   }

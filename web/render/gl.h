@@ -60,4 +60,25 @@ inline GlVertexArray makeVertexArray() {
   return GlVertexArray(name);
 }
 
+/// Of `width` × `height` pixels, RGBA from the top or nothing yet; left bound. Smooth, and its edge
+/// goes on. Mipmaps, where wanted, are the caller's to make.
+inline GlTexture makeTexture(GLsizei width, GLsizei height, const void* rgba, bool mipmaps) {
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  GlTexture texture(name);
+  glBindTexture(GL_TEXTURE_2D, name);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                  mipmaps ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+inline GlFramebuffer makeFramebuffer() {
+  GLuint name = 0;
+  glGenFramebuffers(1, &name);
+  return GlFramebuffer(name);
+}
+
 }  // namespace marrow

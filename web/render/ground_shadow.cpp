@@ -33,18 +33,9 @@ GroundShadow::GroundShadow()
       ground_("ground.vert", "ground.frag"),
       nothing_(makeVertexArray()) {
   for (int i = 0; i < 2; ++i) {
-    GLuint name = 0;
-    glGenTextures(1, &name);
-    pictures_[i] = GlTexture(name);
-    glBindTexture(GL_TEXTURE_2D, name);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kSize, kSize, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glGenFramebuffers(1, &name);
-    framebuffers_[i] = GlFramebuffer(name);
-    glBindFramebuffer(GL_FRAMEBUFFER, name);
+    pictures_[i] = makeTexture(kSize, kSize, nullptr, false);
+    framebuffers_[i] = makeFramebuffer();
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_[i].name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, pictures_[i].name(),
                            0);
   }

@@ -37,13 +37,7 @@ void PanelRenderer::uploadFonts() {
   unsigned char* pixels = nullptr;
   int width = 0, height = 0;
   ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-  GLuint name = 0;
-  glGenTextures(1, &name);
-  fonts_ = GlTexture(name);
-  glBindTexture(GL_TEXTURE_2D, name);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+  fonts_ = makeTexture(width, height, pixels, false);
 }
 
 void PanelRenderer::draw(const ImDrawData& data, int fonts_version, const Textures& textures) {

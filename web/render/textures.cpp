@@ -10,19 +10,6 @@ namespace {
 
 constexpr GLsizei kSamples = 4;
 
-GlTexture makeTexture(GLsizei width, GLsizei height, const void* rgba) {
-  GLuint name = 0;
-  glGenTextures(1, &name);
-  GlTexture texture(name);
-  glBindTexture(GL_TEXTURE_2D, name);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  return texture;
-}
-
 void releaseRenderbuffer(GLuint name) { glDeleteRenderbuffers(1, &name); }
 using GlRenderbuffer = GlObject<releaseRenderbuffer>;
 
@@ -34,12 +21,6 @@ GlRenderbuffer makeRenderbuffer(GLenum format, GLsizei width, GLsizei height) {
   return GlRenderbuffer(name);
 }
 
-GlFramebuffer makeFramebuffer() {
-  GLuint name = 0;
-  glGenFramebuffers(1, &name);
-  return GlFramebuffer(name);
-}
-
 }  // namespace
 
 GlTexture Textures::drawn(const Thumbnail& thumbnail, double dpr, Renderer& renderer) {
@@ -47,7 +28,7 @@ GlTexture Textures::drawn(const Thumbnail& thumbnail, double dpr, Renderer& rend
   scene.dpr = dpr;
   const auto width = static_cast<GLsizei>(std::lround(scene.size.width * dpr));
   const auto height = static_cast<GLsizei>(std::lround(scene.size.height * dpr));
-  GlTexture texture = makeTexture(width, height, nullptr);
+  GlTexture texture = makeTexture(width, height, nullptr, true);
   const GlRenderbuffer color = makeRenderbuffer(GL_RGBA8, width, height);
   const GlRenderbuffer depth = makeRenderbuffer(GL_DEPTH_COMPONENT24, width, height);
   const GlFramebuffer smooth = makeFramebuffer(), plain = makeFramebuffer();
@@ -79,7 +60,7 @@ void Textures::update(const Shelf& shelf, double dpr, Renderer& renderer) {
     used.insert(id);
     if (!picture.pixels || find(id)) continue;
     const Pixels& pixels = *picture.pixels;
-    textures_[id] = makeTexture(pixels.width, pixels.height, pixels.rgba.data());
+    textures_[id] = makeTexture(pixels.width, pixels.height, pixels.rgba.data(), true);
     glGenerateMipmap(GL_TEXTURE_2D);
   }
   for (auto it = textures_.begin(); it != textures_.end();) {

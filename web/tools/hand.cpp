@@ -12,28 +12,15 @@ namespace {
 constexpr double kShortestLine_px = 20;
 constexpr double kNearlyStraight = 0.12;  // tangent of the angle to level or upright
 
-const PartSource* sourceOf(const std::string& id, const Evaluation& evaluation) {
-  for (const PlacedPart& placed : evaluation.placed()) {
-    if (placed.id == id) return evaluation.parts()[placed.source].source.get();
-  }
-  return nullptr;
-}
-
-/// The placed part with this id, or nothing.
-const PlacedPart* placedPart(const std::string& id, const Evaluation& evaluation) {
-  for (const PlacedPart& placed : evaluation.placed()) {
-    if (placed.id == id) return &placed;
-  }
-  return nullptr;
-}
-
 }  // namespace
 
 std::vector<std::string> changeable(const Selection& selection, const Evaluation& evaluation) {
   std::vector<std::string> ids;
   for (const std::string& id : selection.ids) {
-    const PartSource* source = sourceOf(id, evaluation);
-    if (source && !source->locked && source->visible) ids.push_back(id);
+    const PlacedPart* placed = findPlaced(evaluation.placed(), id);
+    if (!placed) continue;
+    const PartSource& source = *evaluation.parts()[placed->source].source;
+    if (!source.locked && source.visible) ids.push_back(id);
   }
   return ids;
 }
@@ -42,7 +29,7 @@ std::optional<Vec3> selectionPivot(const Selection& selection, const Evaluation&
   Vec3 sum;
   int count = 0;
   for (const std::string& id : selection.ids) {
-    const PlacedPart* placed = placedPart(id, evaluation);
+    const PlacedPart* placed = findPlaced(evaluation.placed(), id);
     if (!placed) continue;
     sum = sum + middleOf(evaluation.parts()[placed->source], placed->frame);
     ++count;
@@ -100,7 +87,7 @@ void Hand::begin(const DrawTool& gesture, bool shift, UiState& ui, const World& 
     }
     case ToolKind::redraw:
     case ToolKind::reshape: {
-      const PlacedPart* placed = placedPart(ui.selection.primary(), world.evaluation);
+      const PlacedPart* placed = findPlaced(world.evaluation.placed(), ui.selection.primary());
       if (!placed) break;
       const EvaluatedPart& evaluated = world.evaluation.parts()[placed->source];
       if (evaluated.source->locked || !evaluated.source->visible) break;
