@@ -316,10 +316,7 @@ void App::update() {
 void App::forgetWhatIsGone() {
   const auto& placed = evaluation_.placed();
   auto& ids = ui_.selection.ids;
-  const auto isGone = [&](const std::string& id) {
-    return std::none_of(placed.begin(), placed.end(),
-                        [&](const PlacedPart& one) { return one.id == id; });
-  };
+  const auto isGone = [&](const std::string& id) { return !findPlaced(placed, id); };
   ids.erase(std::remove_if(ids.begin(), ids.end(), isGone), ids.end());
   if (ids.size() != 1) ui_.selection.branch.clear();
 }
@@ -371,6 +368,11 @@ void App::updateLivePart() {
   next_preview_ms_ = took_ms > 8 ? ui_.now_ms + took_ms / kPreviewShare : 0;
 }
 
+std::optional<size_t> App::boneUnder(Vec2 pixel) const {
+  const double reach_px = ui_.touch() ? kBoneTouch_px : kBoneReach_px;
+  return boneAt(pixel, evaluation_, ui_.camera, ui_.size, reach_px);
+}
+
 // Where the bones or the surface of another part lie under the pixel.
 void App::attachAt(Vec2 pixel) {
   ui_.attaching = false;
@@ -378,8 +380,7 @@ void App::attachAt(Vec2 pixel) {
   const Rig& rig = evaluation_.rig();
   std::optional<size_t> on;
   Vec3 place;
-  const double reach = ui_.touch() ? kBoneTouch_px : kBoneReach_px;
-  if (const auto joint = boneAt(pixel, evaluation_, ui_.camera, ui_.size, reach)) {
+  if (const auto joint = boneUnder(pixel)) {
     const Rig::Joint& end = rig.joints[*joint];
     const Vec3 start =
         end.parent < 0 ? end.position : rig.joints[static_cast<size_t>(end.parent)].position;
@@ -413,11 +414,14 @@ void App::click(Vec2 pixel, bool shift) {
     attachAt(pixel);
     return;
   }
+  if (ui_.start_button && ui_.start_button->has(pixel)) {
+    ui_.openOnly(&PanelsOpen::gallery);
+    return;
+  }
   const bool had_selection = !ui_.selection.empty();
   std::string id, branch;
   if (ui_.show.bones) {
-    const double reach = ui_.touch() ? kBoneTouch_px : kBoneReach_px;
-    if (const auto joint = boneAt(pixel, evaluation_, ui_.camera, ui_.size, reach)) {
+    if (const auto joint = boneUnder(pixel)) {
       id = evaluation_.placed()[evaluation_.rig().joints[*joint].part].id;
       branch = branchKey(evaluation_.rig().joints[*joint].branch);
     }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/box.h"
 #include "camera.h"
 #include "document/command.h"
 #include "input.h"
@@ -107,6 +108,8 @@ struct UiState {
   bool attaching = false;  // the next click on a bone or a part says where the selected part hangs
   std::optional<PendingEdit> edit;
   std::optional<Toast> toast;
+  std::optional<Box2>
+      start_button;               // of the invitation, where it is shown: clicks open the samples
   double hint_since_ms = -1;      // when the invitation appeared; −1: not yet
   bool file_listed = false;       // kept drawings were asked for since the file panel is open
   std::set<std::string> peeked;   // keys of kept drawings whose thumbnails were asked for

@@ -116,6 +116,13 @@ test('a stroke over a panel, a dot, a line and a scribble leave no nonsense behi
   assert.ok(isTree(part.joints, part.bones));
 });
 
+test('a stroke that begins on the button of the empty canvas is a stroke', {width: 1280, height: 800},
+     async (app) => {
+  const {x, y} = await app.widget('start', 'samples');
+  await app.draw(closed(dense([[x, y], [x - 150, y - 60], [x, y - 250], [x + 150, y - 60], [x, y]])));
+  assert.equal((await app.parts()).length, 1);
+});
+
 test('a stroke of 20,000 samples is drawn to its end', {width: 720, height: 720}, async (app) => {
   // A wavy ring, 24,000 pixels long.
   const n = 20_000;

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "base/box.h"
 #include "panels/layout.h"
 #include "panels/panel.h"
 
@@ -42,6 +44,8 @@ ImVec2 exampleAt(float t) {
   return {blend(a.x, b.x, c.x, d.x), blend(a.y, b.y, c.y, d.y)};
 }
 
+Vec2 vec2(ImVec2 p) { return {p.x, p.y}; }
+
 void drawCentredLine(ImDrawList& list, ImFont* font, const char* text, float x, float y,
                      ImU32 color) {
   const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
@@ -52,6 +56,7 @@ void drawCentredLine(ImDrawList& list, ImFont* font, const char* text, float x, 
 }  // namespace
 
 void drawHint(const PanelInput& input, UiState& ui, Requests& requests) {
+  const auto button_before = std::exchange(ui.start_button, std::nullopt);
   if (!input.shelf.keeping.empty() || !input.shown.parts.empty() || input.drawing) return;
   const bool offers = input.shelf.keeping.offer() != nullptr;
   if (ui.open.anySheet() || (offers && lowCanvas(ui))) return;
@@ -84,11 +89,14 @@ void drawHint(const PanelInput& input, UiState& ui, Requests& requests) {
   box.position = {std::round(at.x), std::round(at.y + radius * 0.92f + 64)};
   const float room = canvasHeight(ui) - 2 * margin(ui) - barHeight(ui) - box.position.y;
   if (room < barHeight(ui)) return;
+  // In the middle of the canvas, where strokes begin: only a click on it is for it.
+  box.drawn_through = true;
   beginPanel("start", box);
-  if (textButton("samples", "Or start from a sample", buttonSide(ui), {})) {
-    ui.openOnly(&PanelsOpen::gallery);
-    requests.again = true;
-  }
+  ButtonLook look;
+  look.raised =
+      ImGui::IsMousePosValid() && button_before && button_before->has(vec2(ImGui::GetMousePos()));
+  textButton("samples", "Or start from a sample", buttonSide(ui), look);
+  ui.start_button = Box2{vec2(ImGui::GetItemRectMin()), vec2(ImGui::GetItemRectMax())};
   endPanel();
 }
 

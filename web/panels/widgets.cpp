@@ -109,7 +109,7 @@ void beginPanel(const char* name, const PanelBox& box) {
                                       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
                                       ImGuiWindowFlags_NoBringToFrontOnFocus;
   ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, box.touch ? 4.0f : 10.0f);
-  ImGui::Begin(name, nullptr, kFlags);
+  ImGui::Begin(name, nullptr, box.drawn_through ? kFlags | ImGuiWindowFlags_NoMouseInputs : kFlags);
   ImGui::PopStyleVar();
   // ImGui puts new windows of this kind behind the others: a sheet would lie below the tools.
   if (!box.bar) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());

@@ -15,9 +15,10 @@ namespace marrow {
 struct PanelBox {
   ImVec2 position, anchor;
   float width = 0;
-  float max_height = 0;  // 0: no limit; else it scrolls
-  bool bar = false;      // a row of buttons, with less room around them
-  bool touch = false;    // for fingers
+  float max_height = 0;        // 0: no limit; else it scrolls
+  bool bar = false;            // a row of buttons, with less room around them
+  bool touch = false;          // for fingers
+  bool drawn_through = false;  // pointers go to the canvas below
 };
 void beginPanel(const char* name, const PanelBox& box);
 void endPanel();
