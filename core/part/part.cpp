@@ -13,12 +13,6 @@ constexpr double kSmallestPerimeter = 1e-50;
 
 constexpr int kOutlineAttempts = 6;
 
-bool isInside(const Axis& axis, const std::vector<Vec2>& outline) {
-  return std::all_of(axis.edges.begin(), axis.edges.end(), [&](const auto& edge) {
-    return segmentInside(outline, axis.points[edge[0]], axis.points[edge[1]]);
-  });
-}
-
 /// Scales the mesh's depth. Normals and proxy have to be redone then.
 void setThickness(Part& part, double thickness) {
   for (size_t i = 0; i < part.depths.size(); ++i) {
@@ -70,7 +64,10 @@ Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& optio
     watch.lap("axis");
 
     // The simplified polygon may bulge out of thin places of what was drawn, and the axis with it.
-    if (attempt == kOutlineAttempts || isInside(part.axis, part.outline.dense)) break;
+    if (attempt == kOutlineAttempts ||
+        segmentsInside(part.outline.dense, part.axis.points, part.axis.edges)) {
+      break;
+    }
     outlining.tolerance /= 4;
   }
 

@@ -193,8 +193,7 @@ Box2 boxOf(const std::vector<BranchSample>& samples, size_t first, size_t last) 
 }
 
 NearEdges edgesAround(const Region& region, const std::vector<BranchSample>& samples) {
-  const Box2 box = boxOf(samples, 0, samples.size() - 1);
-  return NearEdges(region, box.low, box.high);
+  return NearEdges(region, boxOf(samples, 0, samples.size() - 1));
 }
 
 /// The samples follow one another from inside to inside, so where no step touches the border, none
@@ -204,8 +203,7 @@ bool staysInside(const Region& region, const std::vector<BranchSample>& samples)
   NearEdges near;
   for (size_t first = 0; first + 1 < samples.size(); first += kChunk) {
     const size_t last = std::min(first + kChunk, samples.size() - 1);
-    const Box2 box = boxOf(samples, first, last);
-    near.narrow(around, box.low, box.high);
+    near.narrow(around, boxOf(samples, first, last));
     for (size_t i = first; i < last; ++i) {
       if (!near.isClear(samples[i].point, samples[i + 1].point)) return false;
     }

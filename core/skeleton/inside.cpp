@@ -4,7 +4,6 @@
 #include <limits>
 
 namespace marrow {
-
 namespace {
 
 /// Does the edge pq meet the segment's line, and the segment the edge's line? Both also hold for
@@ -17,6 +16,12 @@ inline bool meets(Vec2 a, Vec2 b, Vec2 along, double whole, Vec2 p, Vec2 q, doub
   const double side_a = cross(q - p, a - p), side_b = cross(q - p, b - p);
   return std::max(at_p, at_q) >= 0 && std::min(at_p, at_q) <= whole &&
          std::min(side_a, side_b) <= 0 && std::max(side_a, side_b) >= 0;
+}
+
+/// A box wide enough for what rounding takes for a touch.
+Box2 withSlack(const Box2& box) {
+  const double slack = 1e-6 * length(box.size());
+  return {box.low - Vec2{slack, slack}, box.high + Vec2{slack, slack}};
 }
 
 }  // namespace
@@ -40,25 +45,46 @@ bool segmentInside(const Region& region, Vec2 a, Vec2 b) {
          (!region.outline || segmentInside(*region.outline, a, b));
 }
 
-NearEdges::NearEdges(const Region& region, Vec2 low, Vec2 high) {
-  setBox(low, high);
+bool segmentsInside(const std::vector<Vec2>& polygon, const std::vector<Vec2>& points,
+                    const std::vector<std::array<uint32_t, 2>>& segments) {
+  constexpr size_t kRun = 8;
+  const size_t n = polygon.size();
+  std::vector<Box2> runs((n + kRun - 1) / kRun);  // run r: the edges from vertex r·kRun on
+  for (size_t i = 0; i < n; ++i) {
+    runs[i / kRun].include(polygon[i]);
+    runs[i / kRun].include(polygon[i + 1 < n ? i + 1 : 0]);
+  }
+  for (const auto& [from, to] : segments) {
+    const Vec2 a = points[from], b = points[to], along = b - a;
+    const double whole = dot(along, along);
+    const Box2 around = withSlack({least(a, b), most(a, b)});
+    for (size_t run = 0; run < runs.size(); ++run) {
+      if (!runs[run].meets(around)) continue;
+      Vec2 p = polygon[run * kRun];
+      double side_p = cross(along, p - a);
+      for (size_t i = run * kRun + 1; i <= std::min((run + 1) * kRun, n); ++i) {
+        const Vec2 q = polygon[i < n ? i : 0];
+        const double side_q = cross(along, q - a);
+        if (meets(a, b, along, whole, p, q, side_p, side_q)) return false;
+        p = q;
+        side_p = side_q;
+      }
+    }
+  }
+  return true;
+}
+
+NearEdges::NearEdges(const Region& region, const Box2& box) : box_(withSlack(box)) {
   add(region.polygon);
   if (region.outline) add(*region.outline);
 }
 
-void NearEdges::narrow(const NearEdges& others, Vec2 low, Vec2 high) {
-  setBox(low, high);
+void NearEdges::narrow(const NearEdges& others, const Box2& box) {
+  box_ = withSlack(box);
   edges_.clear();
   for (const Edge& edge : others.edges_) {
     if (isNear(edge)) edges_.push_back(edge);
   }
-}
-
-void NearEdges::setBox(Vec2 low, Vec2 high) {
-  // Wide enough for what rounding takes for a touch.
-  const double slack = 1e-6 * distance(low, high);
-  low_ = low - Vec2{slack, slack};
-  high_ = high + Vec2{slack, slack};
 }
 
 void NearEdges::add(const std::vector<Vec2>& polygon) {
@@ -72,8 +98,7 @@ void NearEdges::add(const std::vector<Vec2>& polygon) {
 }
 
 bool NearEdges::isNear(const Edge& edge) const {
-  return std::max(edge.p.x, edge.q.x) >= low_.x && std::min(edge.p.x, edge.q.x) <= high_.x &&
-         std::max(edge.p.y, edge.q.y) >= low_.y && std::min(edge.p.y, edge.q.y) <= high_.y;
+  return box_.meets({least(edge.p, edge.q), most(edge.p, edge.q)});
 }
 
 bool NearEdges::isClear(Vec2 a, Vec2 b) const {

@@ -1,9 +1,11 @@
 // Does a segment stay inside a polygon?
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
-#include "base/vec.h"
+#include "base/box.h"
 
 namespace marrow {
 
@@ -17,13 +19,18 @@ struct Region {
 bool segmentInside(const std::vector<Vec2>& polygon, Vec2 a, Vec2 b);
 bool segmentInside(const Region& region, Vec2 a, Vec2 b);
 
+/// segmentInside for each of these segments, which are pairs of indices of points: for many short
+/// ones.
+bool segmentsInside(const std::vector<Vec2>& polygon, const std::vector<Vec2>& points,
+                    const std::vector<std::array<uint32_t, 2>>& segments);
+
 /// The edges of a region that segments within a box can meet: for many segments in a small part of
 /// it.
 class NearEdges {
  public:
-  NearEdges(const Region& region, Vec2 low, Vec2 high);
+  NearEdges(const Region& region, const Box2& box);
   /// Those of others that a smaller box leaves.
-  void narrow(const NearEdges& others, Vec2 low, Vec2 high);
+  void narrow(const NearEdges& others, const Box2& box);
   NearEdges() = default;
 
   /// segmentInside of the region, for a and b in the box.
@@ -33,11 +40,10 @@ class NearEdges {
   struct Edge {
     Vec2 p, q;
   };
-  void setBox(Vec2 low, Vec2 high);
   void add(const std::vector<Vec2>& polygon);
   bool isNear(const Edge& edge) const;
 
-  Vec2 low_, high_;
+  Box2 box_;
   std::vector<Edge> edges_;
 };
 

@@ -216,7 +216,9 @@ struct LocalAndModel {
 
 LocalAndModel finished(const Source& source, const std::vector<Vec2>& polygon) {
   LocalAndModel both;
-  for (const uint32_t i : withoutCollinear(polygon, source.near)) both.local.push_back(polygon[i]);
+  const std::vector<uint32_t> kept = withoutCollinear(polygon, source.near);
+  both.local.reserve(kept.size());
+  for (const uint32_t i : kept) both.local.push_back(polygon[i]);
   both.model = source.frame.toModel(both.local);
   return isGood(both.model) ? both : LocalAndModel{};
 }
@@ -261,8 +263,10 @@ LocalAndModel makeDense(const Source& source) {
 
 std::vector<Vec2> makePolygon(const Source& source, const LocalAndModel& dense) {
   const auto at = [&](double tolerance) {
+    const std::vector<uint32_t> kept = simplify(dense.local, tolerance);
     std::vector<Vec2> polygon;
-    for (const uint32_t i : simplify(dense.local, tolerance)) polygon.push_back(dense.local[i]);
+    polygon.reserve(kept.size());
+    for (const uint32_t i : kept) polygon.push_back(dense.local[i]);
     return finished(source, polygon).model;
   };
   double tolerance = source.tolerance;

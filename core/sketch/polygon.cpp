@@ -23,21 +23,30 @@ bool segmentsMeet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   return turnSign(c, d, a) * turnSign(c, d, b) <= 0;
 }
 
+/// The directions, of right, left, up and down, that an edge surely goes into: a bit each.
+uint32_t directions(Vec2 a, Vec2 b) {
+  return (b.x > a.x ? 1u : 0u) | (b.x < a.x ? 2u : 0u) | (b.y > a.y ? 4u : 0u) |
+         (b.y < a.y ? 8u : 0u);
+}
+
 /// Calls visit(e, f) for pairs of edges e > f, no neighbours, that have a point in common, while it
-/// returns true: runs of edges against runs of edges, by the boxes around them.
+/// returns true: runs of edges against runs of edges, by the boxes around them. Edges that follow
+/// one another all into one direction have nothing in common but their ends.
 template <typename Visit>
 void forEachMeeting(const std::vector<Vec2>& polygon, Visit visit) {
   constexpr uint32_t kRun = 6;
   const auto n = static_cast<uint32_t>(polygon.size());
   std::vector<Box2> edges(n), runs((n + kRun - 1) / kRun);
+  std::vector<uint32_t> ways(runs.size(), 15);  // directions that all edges of a run have
   for (uint32_t i = 0; i < n; ++i) {
     const Vec2 a = polygon[i], b = polygon[i + 1 < n ? i + 1 : 0];
     edges[i] = {least(a, b), most(a, b)};
     runs[i / kRun].include(edges[i]);
+    ways[i / kRun] &= directions(a, b);
   }
   for (uint32_t r = 0; r < runs.size(); ++r) {
     for (uint32_t q = 0; q <= r; ++q) {
-      if (!runs[r].meets(runs[q])) continue;
+      if (!runs[r].meets(runs[q]) || (q + 1 >= r && (ways[r] & ways[q]) != 0)) continue;
       for (uint32_t e = r * kRun; e < std::min(n, (r + 1) * kRun); ++e) {
         if (!edges[e].meets(runs[q])) continue;
         // The edge before e is its neighbour; of the last edge the first one is, too.

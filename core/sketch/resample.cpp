@@ -83,6 +83,7 @@ struct Sample {
 std::vector<Sample> sampleBetween(const ArcCurve& curve, const std::vector<size_t>& anchors,
                                   bool keep_anchors, double step) {
   std::vector<Sample> samples;
+  samples.reserve(anchors.size() + static_cast<size_t>(1.5 * curve.length() / step));
   for (size_t k = 0; k < anchors.size(); ++k) {
     const bool last = k + 1 == anchors.size();
     const double from = curve.arcAt(anchors[k]);

@@ -13,6 +13,7 @@ std::vector<Vec2> withoutSpikes(const std::vector<Vec2>& polygon, double thin) {
            (distanceToSegment(a, b, c) <= thin || distanceToSegment(b, c, a) <= thin);
   };
   std::vector<Vec2> kept;
+  kept.reserve(polygon.size());
   for (const Vec2& p : polygon) {
     while (kept.size() > 1 && isTip(kept[kept.size() - 2], kept.back(), p)) kept.pop_back();
     if (kept.empty() || kept.back() != p) kept.push_back(p);
@@ -34,6 +35,7 @@ std::vector<Vec2> withoutSpikes(const std::vector<Vec2>& polygon, double thin) {
 
 std::vector<uint32_t> withoutCollinear(const std::vector<Vec2>& polygon, double near) {
   std::vector<uint32_t> kept;
+  kept.reserve(polygon.size());
   const auto n = static_cast<uint32_t>(polygon.size());
   for (uint32_t i = 0; i < n; ++i) {
     const Vec2 before = polygon[kept.empty() ? n - 1 : kept.back()];

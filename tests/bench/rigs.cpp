@@ -127,10 +127,7 @@ bool makeSubSkeleton(const std::vector<Vec2>& stroke, SubSkeleton& made,
     if (!found) return false;
     axis = std::move(*found);
     lap(2);
-    const bool inside = std::all_of(axis.edges.begin(), axis.edges.end(), [&](const auto& edge) {
-      return segmentInside(made.outline.dense, axis.points[edge[0]], axis.points[edge[1]]);
-    });
-    if (inside) break;
+    if (segmentsInside(made.outline.dense, axis.points, axis.edges)) break;
   }
   auto skeleton =
       placeJoints(made.outline.polygon, axis, made.outline.scale(), {}, &made.outline.dense);
