@@ -139,6 +139,8 @@ async function drag({page, session}, document, {steps}) {
     await frame();
     times.push(await page.evaluate(() => window.marrow.stats().evaluation.ms));
   }
+  // The circles end where they began: somewhere else, so that there is a change to see.
+  await send('mouseMoved', [place[0] + 40, place[1]], 1);
   await send('mouseReleased', [place[0] + 40, place[1]], 0);
   await frame();
   const after = await page.evaluate(() => JSON.stringify(window.marrow.document()));
