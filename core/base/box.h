@@ -32,6 +32,7 @@ struct Box2 {
   }
   bool isEmpty() const { return !(low.x <= high.x); }
   Vec2 size() const { return high - low; }
+  double longerSide() const { return std::max(high.x - low.x, high.y - low.y); }
   Vec2 middle() const { return (low + high) / 2; }
   /// Touching counts, here and below.
   bool has(Vec2 p) const { return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y; }

@@ -66,11 +66,6 @@ using Builder = CGAL::Straight_skeleton_builder_2<CGAL::Straight_skeleton_builde
 
 constexpr double kMergeRatio = 1e-9;  // × the polygon's size: nodes this close are one event
 
-double sizeOf(const std::vector<Vec2>& polygon) {
-  const Vec2 size = boxOf(polygon).size();
-  return std::max(size.x, size.y);
-}
-
 Result<StraightSkeleton> convert(const std::vector<Vec2>& polygon, const CgalSkeleton& cgal) {
   const uint32_t n = static_cast<uint32_t>(polygon.size());
   StraightSkeleton result;
@@ -180,7 +175,7 @@ Result<StraightSkeleton> straightSkeletonByCgal(const std::vector<Vec2>& polygon
     auto result = convert(polygon, *cgal);
     if (!result) return result;
     const uint32_t n = static_cast<uint32_t>(polygon.size());
-    mergeCoincidentNodes(*result, n, kMergeRatio * sizeOf(polygon));
+    mergeCoincidentNodes(*result, n, kMergeRatio * boxOf(polygon).longerSide());
     if (result->edges.size() != n + result->nodes.size() - 1) return Status::skeletonFailed;
     return result;
   } catch (...) {

@@ -13,11 +13,6 @@ constexpr double kTolerance = 1e-7;  // × the polygon's size
 
 using Kind = StraightSkeleton::Kind;
 
-double sizeOf(const std::vector<Vec2>& polygon) {
-  const Vec2 size = boxOf(polygon).size();
-  return std::max(size.x, size.y);
-}
-
 }  // namespace
 
 std::string inconsistency(const std::vector<Vec2>& polygon, const StraightSkeleton& skeleton) {
@@ -25,7 +20,7 @@ std::string inconsistency(const std::vector<Vec2>& polygon, const StraightSkelet
   if (n < 3 || nodes <= n || skeleton.times.size() != nodes || skeleton.edges.size() < n) {
     return "sizes do not fit";
   }
-  const double tolerance = kTolerance * sizeOf(polygon);
+  const double tolerance = kTolerance * boxOf(polygon).longerSide();
   const auto* arcs = skeleton.edges.data() + n;
   const size_t arc_count = skeleton.edges.size() - n;
   if (arc_count > 2 * n - 3) return "more arcs than a polygon can have";

@@ -5,6 +5,7 @@
 
 #include "support/catch.h"
 #include "support/drawings.h"
+#include "support/text.h"
 
 using namespace marrow;
 
@@ -14,14 +15,6 @@ Part star() {
   auto part = buildPart(softStar(5, 100));
   REQUIRE(part);
   return *part;
-}
-
-size_t count(const std::string& text, const std::string& piece) {
-  size_t found = 0;
-  for (size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) {
-    ++found;
-  }
-  return found;
 }
 
 }  // namespace

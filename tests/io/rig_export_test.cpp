@@ -6,6 +6,7 @@
 
 #include "support/catch.h"
 #include "support/creatures.h"
+#include "support/text.h"
 
 using namespace marrow;
 
@@ -22,14 +23,6 @@ Evaluation evaluated(const Document& document) {
 Document small(uint64_t seed, int parts = 6) {
   Random random(seed);
   return randomCreature(random, parts);
-}
-
-size_t count(const std::string& text, const std::string& piece) {
-  size_t found = 0;
-  for (size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) {
-    ++found;
-  }
-  return found;
 }
 
 /// Two lumps that touch, and `apart` others, each alone.

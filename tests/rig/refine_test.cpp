@@ -56,6 +56,13 @@ void checkCoarser(const Rig& coarse, const Rig& fine) {
   }
 }
 
+/// A random creature whose thresholds are the model's alone.
+Document withoutOwnThresholds(Random& random, int parts) {
+  Document document = randomCreature(random, parts);
+  for (size_t i = 0; i < document.parts.size(); ++i) setThresholdsOf(document, i, {});
+  return document;
+}
+
 }  // namespace
 
 TEST_CASE("rig: any creature gives a forest, whatever the thresholds", "[rig]") {
@@ -146,8 +153,7 @@ TEST_CASE("rig: unset thresholds are the next wider scope's, then the defaults",
   Random random(5);
   for (int run = 0; run < 20; ++run) {
     Workshop workshop;
-    Document document = randomCreature(random, 2 + random.below(10));
-    for (size_t i = 0; i < document.parts.size(); ++i) setThresholdsOf(document, i, {});
+    const Document document = withoutOwnThresholds(random, 2 + random.below(10));
     const Refinement defaults = thresholds(5, 30, 30, 10);
     CHECK(Assembly(document, workshop).rig({}) == Assembly(document, workshop).rig(defaults));
 
@@ -189,8 +195,7 @@ TEST_CASE("rig: without thresholds every joint of every part is there", "[rig]")
   Random random(7);
   for (int run = 0; run < 40; ++run) {
     Workshop workshop;
-    Document document = randomCreature(random, 2 + random.below(10));
-    for (size_t i = 0; i < document.parts.size(); ++i) setThresholdsOf(document, i, {});
+    const Document document = withoutOwnThresholds(random, 2 + random.below(10));
     const Assembly creature(document, workshop);
     const Rig rig = creature.rig(unrefined());
     std::map<std::string, Vec3> positions;
@@ -232,8 +237,7 @@ TEST_CASE("rig: pruning leaves every part a bone", "[rig]") {
   for (int run = 0; run < 60; ++run) {
     CAPTURE(run);
     Workshop workshop;
-    Document document = randomCreature(random, 2 + random.below(10));
-    for (size_t i = 0; i < document.parts.size(); ++i) setThresholdsOf(document, i, {});
+    const Document document = withoutOwnThresholds(random, 2 + random.below(10));
     const Assembly creature(document, workshop);
     const Rig rig = creature.rig(thresholds(random.between(0, 20), 0, 2000, 0));
     std::set<uint32_t> own;  // parts with a bone between two of their joints
@@ -251,8 +255,7 @@ TEST_CASE("rig: no bone between inner joints stays below the collapse threshold"
   for (int run = 0; run < 60; ++run) {
     CAPTURE(run);
     Workshop workshop;
-    Document document = randomCreature(random, 1 + random.below(2));
-    for (size_t i = 0; i < document.parts.size(); ++i) setThresholdsOf(document, i, {});
+    const Document document = withoutOwnThresholds(random, 1 + random.below(2));
     const Assembly creature(document, workshop);
     const double room = random.between(5, 60);
     const Rig rig = creature.rig(thresholds(0.5, 0, 0, room));

@@ -6,6 +6,7 @@
 #include "sketch/polygon.h"
 #include "support/catch.h"
 #include "support/meshes.h"
+#include "support/outlines.h"
 #include "support/strokes.h"
 
 using namespace marrow;
@@ -234,13 +235,9 @@ TEST_CASE("inflate: random outlines become closed, manifold, outward meshes", "[
 }
 
 TEST_CASE("inflate: real strokes become closed, manifold, outward meshes", "[inflate]") {
-  const std::vector<strokes::NamedStroke> real = strokes::realStrokes();
-  if (real.empty()) WARN("no real strokes beside the project: skipped");
-  for (const strokes::NamedStroke& stroke : real) {
-    const Result<Outline> outline = makeOutline(stroke.points);
-    REQUIRE(outline);
-    for (const int target : {300, 1000, 2500}) checkSound(stroke.name, outline->dense, target);
-  }
+  forEachRealOutline([](const std::string& name, const std::vector<Vec2>& outline) {
+    for (const int target : {300, 1000, 2500}) checkSound(name, outline, target);
+  });
 }
 
 TEST_CASE("inflate: whatever a pen can draw becomes a closed, manifold, outward mesh",

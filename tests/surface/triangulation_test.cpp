@@ -7,6 +7,7 @@
 #include "sketch/polygon.h"
 #include "support/catch.h"
 #include "support/meshes.h"
+#include "support/outlines.h"
 #include "support/strokes.h"
 #include "surface/border.h"
 
@@ -123,13 +124,9 @@ TEST_CASE("triangulation: random outlines are tiled by Delaunay triangles", "[tr
 }
 
 TEST_CASE("triangulation: real strokes are tiled by Delaunay triangles", "[triangulation]") {
-  const std::vector<strokes::NamedStroke> real = strokes::realStrokes();
-  if (real.empty()) WARN("no real strokes beside the project: skipped");
-  for (const strokes::NamedStroke& stroke : real) {
-    const Result<Outline> outline = makeOutline(stroke.points);
-    REQUIRE(outline);
-    for (const int target : {300, 1000}) checkSound(stroke.name, outline->dense, target);
-  }
+  forEachRealOutline([](const std::string& name, const std::vector<Vec2>& outline) {
+    for (const int target : {300, 1000}) checkSound(name, outline, target);
+  });
 }
 
 TEST_CASE("triangulation: polygons that broke other programs are tiled by Delaunay triangles",
