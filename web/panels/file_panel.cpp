@@ -32,29 +32,17 @@ const Thumbnail* thumbnailOf(const Recent& recent, const PanelInput& input, UiSt
   return thumbnail;
 }
 
-/// A field for one line of text; true when the user is done with it.
-bool textField(const char* id, std::string& text, const char* hint, float width) {
-  std::array<char, 512> bytes{};
-  text.copy(bytes.data(), bytes.size() - 1);
-  ImGui::SetNextItemWidth(width);
-  const bool done = ImGui::InputTextWithHint(
-      (std::string("##") + id).c_str(), hint, bytes.data(), bytes.size(),
-      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  notePlace(id);
-  text = bytes.data();
-  return done || ImGui::IsItemDeactivatedAfterEdit();
+void rename(const Keeping& keeping, const std::string& name, Requests& requests) {
+  if (!name.empty() && name != keeping.name()) requests.files.push_back({Kind::rename, name});
 }
 
 void drawName(const Keeping& keeping, UiState& ui, Requests& requests) {
-  std::string name = keeping.name();
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                       ImVec2(10, (rowHeight(ui) - ImGui::GetFontSize()) / 2));
-  const bool done =
-      textField("name", name, "Name of the drawing", ImGui::GetContentRegionAvail().x);
+  const auto typed = textField("name", "", keeping.name(), "Name of the drawing",
+                               ImGui::GetContentRegionAvail().x);
   ImGui::PopStyleVar();
-  if (done && !name.empty() && name != keeping.name()) {
-    requests.files.push_back({Kind::rename, name});
-  }
+  if (typed) rename(keeping, *typed, requests);
 }
 
 // Where the platform has no dialogs of its own: the path is typed.
@@ -65,10 +53,14 @@ void drawPath(const Keeping& keeping, UiState& ui, Requests& requests) {
   const float height = rowHeight(ui), width = ImGui::GetContentRegionAvail().x;
   heading("File");
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(10, (height - ImGui::GetFontSize()) / 2));
-  const std::string before = ui.file_path;
-  textField("path", ui.file_path, "Folder and name", width);
+  std::array<char, 512> path{};
+  ui.file_path.copy(path.data(), path.size() - 1);
+  ImGui::SetNextItemWidth(width);
+  ui.file_path_edited |= ImGui::InputTextWithHint("##path", "Folder and name", path.data(),
+                                                  path.size(), ImGuiInputTextFlags_AutoSelectAll);
+  notePlace("path");
+  ui.file_path = path.data();
   ImGui::PopStyleVar();
-  ui.file_path_edited |= ui.file_path != before;
   const float half = (width - 8) / 2;
   if (paleButton("open", "Open", half, height, "Opens the file with this path  (Ctrl O)")) {
     requests.files.push_back({Kind::open, ui.file_path});
@@ -110,6 +102,7 @@ void drawRecent(const PanelInput& input, UiState& ui, Requests& requests) {
 void drawFilePanel(const PanelInput& input, UiState& ui, Requests& requests) {
   if (!ui.open.file || input.drawing) {
     ui.file_listed = false;
+    if (const auto typed = leftText("file")) rename(input.shelf.keeping, typed->text, requests);
     return;
   }
   if (!ui.file_listed) {

@@ -59,6 +59,7 @@ PanelLayer::PanelLayer() {
   io.ConfigInputTextCursorBlink = false;
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   io.MousePos = {-FLT_MAX, -FLT_MAX};
+  io.MouseDoubleClickTime = 0.5f;  // frames can be slow, and each press needs one of its own
   for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
   io.KeyMap[ImGuiKey_A] = kLetterA;
   applyTheme();
@@ -133,7 +134,9 @@ void PanelLayer::text(const TextEvent& event) {
   ImGui::GetIO().AddInputCharacter(static_cast<unsigned int>(event.character));
 }
 
-bool PanelLayer::wantsText() const { return ImGui::GetIO().WantTextInput; }
+bool PanelLayer::wantsText() const {
+  return ImGui::GetIO().WantTextInput && ImGui::GetActiveID() != 0;
+}
 
 Requests PanelLayer::frame(const PanelInput& input, UiState& ui) {
   ImGuiIO& io = ImGui::GetIO();
@@ -146,6 +149,9 @@ Requests PanelLayer::frame(const PanelInput& input, UiState& ui) {
 
   ImGui::NewFrame();
   forgetPlaces();
+  // A hand on the canvas takes the keyboard away from text, after the last letter.
+  const bool hand = input.hand.mode() != Hand::Mode::idle;
+  if (hand && io.WantTextInput && io.InputQueueCharacters.empty()) ImGui::ClearActiveID();
   Requests requests;
   drawCanvasMarks(input, ui, requests);
   drawHint(input, ui, requests);

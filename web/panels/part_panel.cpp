@@ -13,6 +13,12 @@
 namespace marrow {
 namespace {
 
+void rename(const PanelInput& input, const TypedText& typed, Requests& requests) {
+  const auto part = input.shown.find(typed.owner);
+  if (!part || typed.text.empty() || typed.text == input.shown.parts[*part]->name) return;
+  requests.commands.push_back(RenamePart{typed.owner, typed.text});
+}
+
 constexpr float kMark = 0.5f;  // where the thickness has its default
 constexpr size_t kColors = 8;
 
@@ -82,7 +88,7 @@ class PartPanel {
     ImGui::SetCursorPos({at.x + width - side + 4, at.y});
     if (iconButton("close", kIconX, side, {"Close  (Esc)"})) {
       if (ui_.narrow()) {
-        ui_.open.part = false;
+        ui_.open.part = ui_.open.skeleton = false;
       } else {
         ui_.selection.clear();
       }
@@ -93,22 +99,9 @@ class PartPanel {
 
   void name(ImVec2 at, float width, float side) {
     const PartSource& part = primary();
-    std::array<char, 128> text{};
-    part.name.copy(text.data(), text.size() - 1);
     ImGui::SetCursorPosY(at.y + (side - ImGui::GetFrameHeight()) / 2);
-    ImGui::SetNextItemWidth(width);
-    ImGui::PushID(part.id.c_str());
-    if (ImGui::InputText(
-            "##name", text.data(), text.size(),
-            ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll) ||
-        ImGui::IsItemDeactivatedAfterEdit()) {
-      const std::string wanted = text.data();
-      if (!wanted.empty() && wanted != part.name && requests_.commands.empty()) {
-        ask(RenamePart{part.id, wanted});
-      }
-    }
-    ImGui::PopID();
-    notePlace("name");
+    const auto typed = textField("name", part.id, part.name, "", width);
+    if (typed) rename(input_, {part.id, *typed}, requests_);
     tooltipForLastItem("The part's name");
   }
 
@@ -302,6 +295,7 @@ void drawPartPanel(const PanelInput& input, UiState& ui, Requests& requests) {
   if (input.drawing) return;
   if (ui.attaching) drawAttachHint(input, ui);
   if (ui.open.part) PartPanel(input, ui, requests).draw();
+  if (const auto typed = leftText("part")) rename(input, *typed, requests);
 }
 
 }  // namespace marrow

@@ -1,7 +1,9 @@
 #include "panels/widgets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "icons.h"
 #include "imgui_internal.h"
@@ -17,6 +19,16 @@ std::vector<WidgetPlace> places;  // belongs to the one ImGui context, as ImGui'
 ImDrawList& list() { return *ImGui::GetWindowDrawList(); }
 
 ImVec2 middle(ImVec2 low, ImVec2 high) { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
+
+// What is being typed, until the user is done with it. ImGui forgets it where its field is not made
+// any more, and where another widget takes the keyboard before the field's turn.
+struct Typing {
+  std::string panel, id, owner, before;
+  std::array<char, 512> text{};
+  ImGuiID item = 0;
+  int frame = 0;  // the last one that had the field
+};
+std::vector<Typing> typing;  // belongs to the one ImGui context, as ImGui's own state does
 
 // A shadow made of a few soft rims.
 void drawShadow(ImVec2 low, ImVec2 high) {
@@ -126,6 +138,12 @@ void endPanel() {
   ImGui::End();
 }
 
+std::optional<PanelSpan> panelSpan(const char* name) {
+  const ImGuiWindow* window = ImGui::FindWindowByName(name);
+  if (!window || !window->WasActive || window->Hidden) return std::nullopt;
+  return PanelSpan{window->Pos.y, window->Pos.y + window->Size.y};
+}
+
 void beginScrolling(const char* name, float height, bool touch) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::BeginChild(name, {0, height}, false, ImGuiWindowFlags_NoNav);
@@ -233,6 +251,53 @@ SliderEvent slider(const char* id, float& value, float mark, float height, float
       ImGui::IsItemHovered() || ImGui::IsItemActive() ? Theme::kAccent : Theme::kSoftText, 32,
       1.5f);
   return event;
+}
+
+std::optional<std::string> textField(const char* id, const std::string& owner,
+                                     const std::string& text, const char* hint, float width) {
+  const std::string panel = ImGui::GetCurrentWindow()->RootWindow->Name;
+  const auto own = std::find_if(typing.begin(), typing.end(), [&](const Typing& one) {
+    return one.panel == panel && one.id == id && one.owner == owner;
+  });
+  const bool was_typing = own != typing.end();
+  Typing now;
+  if (was_typing) {
+    now = std::move(*own);
+    typing.erase(own);
+  } else {
+    now.panel = panel;
+    now.id = id;
+    now.owner = owner;
+    text.copy(now.text.data(), now.text.size() - 1);
+    now.before = now.text.data();
+  }
+  ImGui::SetNextItemWidth(width);
+  ImGui::PushID(owner.c_str());
+  ImGui::InputTextWithHint(
+      (std::string("##") + id).c_str(), hint, now.text.data(), now.text.size(),
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::PopID();
+  notePlace(id);
+  if (ImGui::IsItemActive()) {
+    now.item = ImGui::GetItemID();
+    now.frame = ImGui::GetFrameCount();
+    typing.push_back(std::move(now));
+    return std::nullopt;
+  }
+  if (!was_typing || now.before == now.text.data()) return std::nullopt;
+  return now.text.data();
+}
+
+std::optional<TypedText> leftText(const char* panel) {
+  const auto left = std::find_if(typing.begin(), typing.end(), [&](const Typing& one) {
+    return one.panel == panel && one.frame != ImGui::GetFrameCount();
+  });
+  if (left == typing.end()) return std::nullopt;
+  const Typing gone = std::move(*left);
+  typing.erase(left);
+  if (ImGui::GetActiveID() == gone.item) ImGui::ClearActiveID();
+  if (gone.before == gone.text.data()) return std::nullopt;
+  return TypedText{gone.owner, gone.text.data()};
 }
 
 bool swatch(const char* id, Color color, bool chosen, float side) {

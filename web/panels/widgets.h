@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "document/document.h"
@@ -22,6 +24,11 @@ struct PanelBox {
 };
 void beginPanel(const char* name, const PanelBox& box);
 void endPanel();
+/// Where a panel began and ended, from top to bottom, if it was there in the last frame.
+struct PanelSpan {
+  float top, bottom;
+};
+std::optional<PanelSpan> panelSpan(const char* name);
 /// A stretch of a panel that scrolls by itself; both are called always.
 void beginScrolling(const char* name, float height, bool touch);
 void endScrolling();
@@ -57,6 +64,17 @@ struct SliderEvent {
 };
 /// value: 0 … 1. mark: where the default lies. width 0: all that is there.
 SliderEvent slider(const char* id, float& value, float mark, float height, float width = 0);
+
+/// A field for one line of text that belongs to `owner`. Gives what was typed, once, when the user
+/// is done with it: by Enter or by anything else that takes the field away from the keyboard. Esc
+/// gives it up.
+std::optional<std::string> textField(const char* id, const std::string& owner,
+                                     const std::string& text, const char* hint, float width);
+struct TypedText {
+  std::string owner, text;
+};
+/// What was typed in a field of that panel that is gone since, with its panel or with its owner.
+std::optional<TypedText> leftText(const char* panel);
 
 /// One of the colours to choose from.
 bool swatch(const char* id, Color color, bool chosen, float side);
