@@ -183,6 +183,38 @@ test('fingers scroll a sheet without moving its sliders', phone, async (app) => 
   await app.screenshot('phone-skeleton');
 });
 
+test('no panel lies upon another', async (app) => {
+  await two(app);
+  await app.press('part', 'skeleton');
+  await app.press('performance button', 'performance');
+  const {widgets} = await app.stats();
+  const left = Math.min(...widgets.filter(({panel}) => panel === 'part').map(({x}) => x));
+  const close = widgets.find(({panel}) => panel === 'performance panel');
+  assert.ok(close.x + close.width < left, 'beside the column');
+  await app.screenshot('beside');
+});
+
+test('on a phone nothing covers what is to be tapped', phone, async (app) => {
+  await app.touch([ring(180, 330, 90)]);
+  await app.touch([ring(240, 250, 40)]);
+  const tap = async (panel, id, index) => {
+    const {x, y} = await app.widget(panel, id, index);
+    await app.touch([[[x, y]]]);
+  };
+  await tap('lower bar', 'part');
+  await app.touch([dense([[180, 640], [182, 330]], 8)]);
+  await tap('part', 'skeleton');
+  for (let i = 0; i < 2; ++i) await app.touch([dense([[180, 640], [182, 330]], 8)]);
+  await tap('part', 'attachment');
+  await app.touch([dense([[180, 640], [182, 330]], 8)]);
+  await tap('part', 'attach');
+  const panels = (await app.stats()).widgets.map(({panel}) => panel);
+  assert.ok(!panels.includes('part') && !panels.includes('refine'), panels.join());
+  await app.screenshot('phone-attaching');
+  await app.touch([[[150, 380]]]);
+  assert.equal((await part(app, 1)).attachment.part, 'part-1');
+});
+
 test('help can be read', async (app) => {
   await app.press('toolbar', 'help');
   await app.screenshot('help');

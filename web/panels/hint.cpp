@@ -116,8 +116,9 @@ void drawToast(const PanelInput&, UiState& ui, Requests& requests) {
   const ImVec2 extent = ImGui::CalcTextSize(ui.toast->text.c_str(), nullptr, false, wrap);
   const ImVec2 size{extent.x + 32, extent.y + 20};
   // Where no sheet covers it: below the upper bar, or above the lower edge.
-  const float y = ui.narrow() ? 2 * margin(ui) + std::max(barHeight(ui), gizmoSide(ui))
-                              : canvasHeight(ui) - 2 * margin(ui) - barHeight(ui) - size.y;
+  float y = ui.narrow() ? 2 * margin(ui) + std::max(barHeight(ui), gizmoSide(ui))
+                        : canvasHeight(ui) - 2 * margin(ui) - barHeight(ui) - size.y;
+  if (const auto offer = panelSpan("offer"); offer && ui.narrow()) y = offer->bottom + margin(ui);
   const ImVec2 low{std::round(canvasWidth(ui) / 2 - size.x / 2), std::round(y)};
   const auto faded = [&](ImU32 color) {
     const auto alpha = static_cast<double>(color >> IM_COL32_A_SHIFT) * (1 - fade);

@@ -11,8 +11,6 @@
 namespace marrow {
 namespace {
 
-constexpr double kBothPanels_px = 790;  // height of a canvas with room for the part's panel too
-
 // "straightSkeleton" → "straight skeleton"
 std::string words(const char* stage) {
   std::string text;
@@ -54,10 +52,15 @@ void drawPerformancePanel(const PanelInput& input, UiState& ui, Requests& reques
     box.position.x = canvasWidth(ui) - margin(ui);
     box.anchor = {1, 1};
     box.width = 268;
-    // Below the part's panel, or beside it where the column is too short for both.
-    const bool beside =
-        ui.size.height < kBothPanels_px && input.shown.find(sourceId(ui.selection.primary()));
-    if (beside) box.position.x -= box.width + margin(ui);
+    // Below what is in the column, or beside it where the column is too short for both.
+    const auto own = panelSpan("performance panel");
+    const float top = box.position.y - (own ? own->bottom - own->top : box.max_height);
+    for (const char* name : {"part", "refine"}) {
+      const auto other = panelSpan(name);
+      if (!other || other->bottom + margin(ui) <= top) continue;
+      box.position.x -= columnBox(ui).width + margin(ui);
+      break;
+    }
   }
   beginPanel("performance panel", box);
   if (titleRow("Last stroke", ui)) {

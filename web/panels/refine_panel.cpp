@@ -114,7 +114,7 @@ class Thresholds {
       softText("Draw something first.");
       return;
     }
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 2));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 6));
     softText("fewer joints");
     const char* more = "more";
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(more).x -

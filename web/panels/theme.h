@@ -7,7 +7,7 @@
 namespace marrow {
 
 struct Theme {
-  static constexpr ImU32 kPanel = IM_COL32(255, 255, 255, 242);
+  static constexpr ImU32 kPanel = IM_COL32(255, 255, 255, 255);
   static constexpr ImU32 kHairline = IM_COL32(40, 44, 60, 26);
   static constexpr ImU32 kText = IM_COL32(41, 46, 60, 255);
   static constexpr ImU32 kSoftText = IM_COL32(96, 102, 118, 255);

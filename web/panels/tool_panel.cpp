@@ -42,6 +42,19 @@ char keyOf(ToolKind tool) {
   return 0;
 }
 
+float height(const UiState& ui) {
+  return (kTools.size() + 2) * (buttonSide(ui) + 2) + 7 + kBarPadding;
+}
+
+bool sheetReaches(float y, const UiState& ui) {
+  if (lowCanvas(ui)) return false;
+  for (const char* name : {"part", "parts", "refine"}) {
+    const auto sheet = panelSpan(name);
+    if (sheet && sheet->top < y) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 const char* toString(ToolKind tool) {
@@ -61,9 +74,11 @@ const char* toString(ToolKind tool) {
 }
 
 void drawToolPanel(const PanelInput& input, UiState& ui, Requests& requests) {
-  if (ui.narrow() && ui.open.anySheet()) return;  // it needs the room
   PanelBox box;
   box.position = {margin(ui), 2 * margin(ui) + barHeight(ui)};
+  if (ui.narrow() && (ui.open.anySheet() || sheetReaches(box.position.y + height(ui), ui))) {
+    return;  // it needs the room
+  }
   box.bar = true;
   beginPanel("tools", box);
   const float side = buttonSide(ui);
