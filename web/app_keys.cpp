@@ -9,6 +9,7 @@ namespace {
 
 // How far a copy lies from its original, on the screen.
 constexpr double kCopyAway_px = 24;
+constexpr const char* kDrawFirst = "Draw a part first.";
 
 }  // namespace
 
@@ -61,6 +62,7 @@ void App::handle(const KeyEvent& event) {
 }
 
 bool App::escape() {
+  const bool part_sheet = ui_.open.part && !ui_.selection.empty();
   if (tools_.cancelGesture() || hand_.mode() != Hand::Mode::idle) {
     hand_.cancel(ui_);
     document_changed_ = true;
@@ -70,8 +72,12 @@ bool App::escape() {
     ui_.attaching = false;
   } else if (ui_.open.anySheet()) {
     ui_.open.closeSheets();
+  } else if (ui_.narrow() && (part_sheet || ui_.open.parts || ui_.open.skeleton)) {
+    ui_.open.part = ui_.open.parts = ui_.open.skeleton = false;
   } else if (!ui_.selection.empty()) {
     ui_.selection.clear();
+  } else if (ui_.open.parts || ui_.open.skeleton) {
+    ui_.open.parts = ui_.open.skeleton = false;
   } else {
     ui_.tool = ToolKind::draw;
   }
@@ -117,12 +123,15 @@ bool App::handleCharacter(char character) {
       layer(true);
       break;
     case 'm':
+    case 'M':
       ui_.symmetry = !ui_.symmetry;
       break;
     case 'b':
+    case 'B':
       useTool(ToolKind::draw);
       break;
     case 'v':
+    case 'V':
       useTool(ToolKind::select);
       break;
     case 'c':
@@ -132,6 +141,7 @@ bool App::handleCharacter(char character) {
       useTool(ToolKind::reshape);
       break;
     case 'l':
+    case 'L':
       useTool(ToolKind::line);
       break;
     case '1':
@@ -159,7 +169,7 @@ bool App::handleCharacter(char character) {
 void App::transformByKey(TransformKind kind) {
   closeEdit();
   if (!hand_.beginByKey(kind, pointer_px_, ui_, world())) {
-    say("Select a part first: click it.");
+    say(document().parts.empty() ? kDrawFirst : "Select a part first: click it.");
   }
 }
 
@@ -168,7 +178,7 @@ void App::useTool(ToolKind tool) {
   ui_.tool = tool;
   const bool outline = tool == ToolKind::redraw || tool == ToolKind::reshape;
   if (outline && ui_.selection.empty()) {
-    say("Click the part whose outline you want to change.");
+    say(document().parts.empty() ? kDrawFirst : "Click the part whose outline you want to change.");
   }
 }
 

@@ -119,6 +119,64 @@ test('a part is renamed in its panel, and keys that are letters stay letters the
   assert.equal((await app.parts()).length, 1);
 });
 
+test('a name that was typed is kept, however its field is left', async (app) => {
+  await app.draw(ring(400, 300, 100));
+  await app.draw(ring(700, 300, 100));
+  const names = () => app.page.evaluate(() => marrow.document().parts.map(({name}) => name));
+  const type = async (panel, text) => {
+    const {x, y} = await app.widget(panel, 'name');
+    await app.click(x, y);
+    await app.page.keyboard.type(text);
+    await app.frames(3);
+  };
+  await type('part', 'Nose');
+  await app.click(600, 650);
+  assert.deepEqual(await names(), ['Part 1', 'Nose'], 'a click beside the parts');
+  await app.click(700, 300);
+  await type('part', 'Ear');
+  await app.press('toolbar', 'frame');
+  assert.equal((await names())[1], 'Ear', 'another button');
+  await type('part', 'Eye');
+  await app.key('Escape');
+  assert.equal((await names())[1], 'Ear', 'Escape gives it up');
+  await type('part', 'Tail');
+  await app.draw(ring(600, 650, 50));
+  assert.equal((await names())[1], 'Tail', 'a stroke');
+  assert.equal((await names()).length, 3);
+  await app.key('v');
+  assert.equal((await app.stats()).tool, 'select', 'letters are keys again');
+
+  await app.key('Escape');
+  await app.press('toolbar', 'file');
+  await type('file', 'Snail');
+  await app.press('file', 'close');
+  assert.equal((await app.stats()).drawing.name, 'Snail');
+  await app.press('toolbar', 'file');
+  await type('file', 'Slug');
+  await app.drag([560, 760], [700, 780]);
+  assert.equal((await app.stats()).drawing.name, 'Slug', 'a hand on the canvas');
+});
+
+test('Escape lets go of the parts, then closes what stands open; letters are keys with Caps Lock',
+     async (app) => {
+  const open = async (panel) => (await app.stats()).widgets.some((one) => one.panel === panel);
+  await app.draw(ring(400, 300, 100));
+  await app.press('switches', 'parts');
+  await app.press('switches', 'skeleton');
+  await app.key('Escape');
+  assert.deepEqual((await app.stats()).selection, []);
+  assert.ok(await open('parts') && await open('refine'));
+  await app.key('Escape');
+  assert.ok(!await open('parts') && !await open('refine'));
+  for (const [key, tool] of [['V', 'select'], ['L', 'line'], ['B', 'draw']]) {
+    await app.key(key);
+    assert.equal((await app.stats()).tool, tool);
+  }
+  const {symmetry} = await app.stats();
+  await app.key('M');
+  assert.equal((await app.stats()).symmetry, !symmetry);
+});
+
 test('a deleted part gives its name to nobody, and the API loads what it saved', async (app) => {
   await app.draw(ring(400, 300, 100));
   await app.draw(ring(700, 300, 100));
