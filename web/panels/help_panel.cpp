@@ -15,6 +15,9 @@ constexpr Entry kFingers[] = {
     {"Look around", "twist two fingers, drag three, or drag the ball in the corner"},
     {"Zoom", "pinch; drag two fingers to move the view"},
     {"Move a part", "the arrow tool: drag the part, or its handles to turn and scale it"},
+    {"Outline", "the third tool: draw over a stretch of the selected part; the fourth: drag it"},
+    {"Symmetry", "the mirror below the tools: limbs get a twin on the other side"},
+    {"Line", "the fifth tool: the line of symmetry; half a shape along it is completed"},
     {"Undo", "the arrow at the top left; every step comes back"},
 };
 constexpr Entry kDrawing[] = {
@@ -35,6 +38,10 @@ constexpr Entry kParts[] = {
     {"Layer  [  ]", "behind or in front of the next part"},
     {"Hide  H", "Shift H shows everything"},
     {"Delete  X", "or the Delete key"},
+};
+constexpr Entry kFiles[] = {
+    {"Open", "Ctrl O, or drop a file on the canvas"},
+    {"Save", "Ctrl S; Shift Ctrl S: in another file"},
 };
 constexpr Entry kLooking[] = {
     {"Turn", "right button, or Alt and drag, or the ball in the corner"},
@@ -64,6 +71,7 @@ void section(const char* title, const Entry (&entries)[n], float indent) {
 void drawHelpPanel(const PanelInput& input, UiState& ui, Requests& requests) {
   if (!ui.open.help || input.drawing) return;
   const bool two_columns = canvasWidth(ui) >= 1180 && !ui.touch();
+  const bool fingers_only = ui.narrow() && ui.last_pointer == PointerKind::touch;  // a phone
   const float indent = 104;
   const PanelBox box =
       ui.narrow() ? sheetBox(ui) : leftColumnBox(ui, two_columns ? 760.0f : 400.0f);
@@ -76,18 +84,22 @@ void drawHelpPanel(const PanelInput& input, UiState& ui, Requests& requests) {
       "Draw a closed shape: it becomes a body with bones. Draw more: parts that touch become "
       "one creature.");
   if (ui.touch()) section("With fingers", kFingers, indent);
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(12, 2));
   if (two_columns && ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingStretchSame)) {
     ImGui::TableNextColumn();
     section("Drawing", kDrawing, indent);
     section("Looking", kLooking, indent);
     ImGui::TableNextColumn();
     section("Parts", kParts, indent);
+    section("Files", kFiles, indent);
     ImGui::EndTable();
-  } else if (!two_columns) {
+  } else if (!two_columns && !fingers_only) {
     section("Drawing", kDrawing, indent);
     section("Parts", kParts, indent);
     section("Looking", kLooking, indent);
+    section("Files", kFiles, indent);
   }
+  ImGui::PopStyleVar();
   endPanel();
 }
 
