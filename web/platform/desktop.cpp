@@ -37,6 +37,9 @@ struct Desktop {
   ViewSize size;
   double dpr = 1;
   double cursor_scale = 1;  // window coordinates → CSS pixels
+  // In screen coordinates, as the last event told: to ask would give where it is by now, so that
+  // all moves that were waiting would be one.
+  Vec2 cursor;
   bool held[3] = {false, false, false};
 };
 
@@ -59,14 +62,12 @@ void resize(Desktop& desktop) {
 
 PointerEvent pointerEvent(Desktop& desktop, PointerEvent::Type type, int button) {
   PointerEvent event;
-  double x = 0, y = 0;
-  glfwGetCursorPos(desktop.window, &x, &y);
   event.type = type;
   event.id = 1;
   event.button = button == GLFW_MOUSE_BUTTON_RIGHT    ? Button::secondary
                  : button == GLFW_MOUSE_BUTTON_MIDDLE ? Button::middle
                                                       : Button::primary;
-  event.position_px = {x * desktop.cursor_scale, y * desktop.cursor_scale};
+  event.position_px = desktop.cursor * desktop.cursor_scale;
   event.time_ms = now_ms();
   const auto isHeld = [&](int key) { return glfwGetKey(desktop.window, key) == GLFW_PRESS; };
   event.alt = isHeld(GLFW_KEY_LEFT_ALT);
@@ -104,10 +105,13 @@ Key keyOf(int key, int mods) {
 }
 
 void listen(GLFWwindow* window) {
+  Vec2& cursor = desktopOf(window).cursor;
+  glfwGetCursorPos(window, &cursor.x, &cursor.y);
   glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { resize(desktopOf(w)); });
   glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { desktopOf(w).app.redraw(); });
-  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) {
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
     Desktop& desktop = desktopOf(w);
+    desktop.cursor = {x, y};
     desktop.app.post(pointerEvent(desktop, PointerEvent::Type::move, 0));
   });
   glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
