@@ -6,8 +6,11 @@
 #   samples.h  samples(): the drawings of public/samples
 # The icons' names and pictures: https://lucide.dev/icons
 
+# What names may hold: Latin, Greek and Cyrillic letters. Headings are our own words.
 set(MARROW_UI_CHARACTERS
-    U+0020-007E,U+00A0-017F,U+03B5,U+2010-2027,U+2032,U+2033,U+20AC,U+2190-2193,U+2212,U+221A)
+    U+0020-007E,U+00A0-017F,U+0218-021B,U+0384-03CE,U+0400-045F,U+0490-0491,U+2010-2027,U+2032)
+string(APPEND MARROW_UI_CHARACTERS ",U+2033,U+20AC,U+2116,U+2190-2193,U+2212,U+221A")
+set(MARROW_HEADING_CHARACTERS U+0020-007E,U+2010-2027)
 
 # marrow_find_font(VAR NAMES…)
 function(marrow_find_font var)
@@ -92,7 +95,7 @@ function(marrow_add_assets)
   marrow_write_icons(icon_characters)
   marrow_subset_font(ui_font ui_font.otf "${MARROW_UI_FONT}" "${MARROW_UI_CHARACTERS}")
   marrow_subset_font(ui_font_bold ui_font_bold.otf "${MARROW_UI_FONT_BOLD}"
-                     "${MARROW_UI_CHARACTERS}")
+                     "${MARROW_HEADING_CHARACTERS}")
   marrow_subset_font(icon_font icon_font.ttf "${MARROW_LUCIDE_DIR}/lucide.ttf"
                      "${icon_characters}")
 

@@ -7,9 +7,10 @@ namespace {
 
 Fonts the_fonts;  // belongs to the one ImGui context, as ImGui's own state does
 
-// Latin with its accents, a few Greek letters and signs: what the subset holds.
-const ImWchar kTextRanges[] = {0x20,   0x7E,   0xA0,   0x17F,  0x3B5,  0x3B5, 0x2010,
-                               0x2027, 0x2190, 0x2193, 0x2212, 0x2212, 0};
+// Latin with its accents, Greek, Cyrillic and signs: what the subset holds.
+const ImWchar kTextRanges[] = {0x20,   0x7E,   0xA0,   0x17F,  0x218,  0x21B,  0x384,  0x3CE,
+                               0x400,  0x45F,  0x490,  0x491,  0x2010, 0x2027, 0x20AC, 0x20AC,
+                               0x2116, 0x2116, 0x2190, 0x2193, 0x2212, 0x2212, 0};
 const ImWchar kTitleRanges[] = {0x20, 0x7E, 0x2010, 0x2027, 0};  // our own words only
 const ImWchar kIconRanges[] = {0xE000, 0xF8FF, 0};
 
