@@ -132,6 +132,8 @@ bool App::handleFileKey(Key key) {
   if (tools_.drawing().active()) return true;
   if (!shelf_.keeping.dialogs && (key != Key::save || shelf_.keeping.place().empty())) {
     ui_.openOnly(&PanelsOpen::file);  // the path is asked for there
+    say(key == Key::open ? "Type which file to open, then press Open."
+                         : "Type where to save it, then press Save.");
     return true;
   }
   act({key == Key::open   ? FileAction::Kind::open

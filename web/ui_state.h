@@ -39,7 +39,8 @@ struct PanelsOpen {
   bool gallery = false;
   bool picture = false;  // to draw after
 
-  bool skeleton = false;    // thresholds: in the part's panel, or in one of their own without it
+  bool skeleton = false;    // thresholds in a panel of their own, once no part's is there
+  bool bones = false;       // in the part's panel: the same
   bool attachment = false;  // in the part's panel: where it hangs
 
   /// Those that Esc closes.
@@ -117,14 +118,15 @@ struct UiState {
   bool file_path_edited = false;  // else it follows the drawing's name
   PointerKind last_pointer = PointerKind::mouse;
 
-  /// Phones: panels become bars and sheets.
-  bool narrow() const { return size.width < 700; }
+  /// Phones, held upright or across: panels become bars and sheets.
+  bool narrow() const { return size.width < 700 || size.height < 480; }
   /// Opens one sheet and closes the others, but for the selected part's.
   void openOnly(bool PanelsOpen::*sheet) {
     const PanelsOpen before = open;
     open = PanelsOpen{};
     open.part = before.part && !narrow();
     open.skeleton = before.skeleton && !narrow();
+    open.bones = before.bones && !narrow();
     open.attachment = before.attachment && !narrow();
     open.*sheet = true;
   }

@@ -185,7 +185,7 @@ void drawAttachment(const PanelInput& input, UiState& ui, Requests& requests) {
   if (flow.button("attach", "Attach to\xE2\x80\xA6",
                   "Then click the bone or the part it shall hang on", ui.attaching)) {
     ui.attaching = !ui.attaching;
-    if (ui.narrow()) ui.open.part = ui.open.skeleton = false;  // the model has to be seen
+    if (ui.narrow()) ui.open.part = ui.open.bones = false;  // the model has to be seen
     requests.again = true;
   }
   const bool hangs = hanging.kind == Kind::joint || hanging.kind == Kind::overlap ||

@@ -51,6 +51,7 @@ void drawPath(const Keeping& keeping, UiState& ui, Requests& requests) {
     ui.file_path = keeping.place().empty() ? fileName(keeping.name()) + ".json" : keeping.place();
   }
   const float height = rowHeight(ui), width = ImGui::GetContentRegionAvail().x;
+  ImGui::Dummy({0, 2});
   heading("File");
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(10, (height - ImGui::GetFontSize()) / 2));
   std::array<char, 512> path{};

@@ -11,6 +11,7 @@
 namespace marrow {
 namespace {
 
+constexpr float kButtonBelow = 64;  // the invitation's first line
 constexpr double kDrawn_ms = 1600;  // the example stroke draws itself once
 constexpr double kToastStays_ms = 4200, kToastFades_ms = 300;
 
@@ -67,7 +68,12 @@ void drawHint(const PanelInput& input, UiState& ui, Requests& requests) {
 
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float radius = std::min({canvasWidth(ui) * 0.26f, canvasHeight(ui) * 0.20f, 150.0f});
-  const ImVec2 at{canvasWidth(ui) / 2, canvasHeight(ui) / 2 - radius * 0.25f};
+  // Low canvases: higher up, so that there is room for the button.
+  const float lowest =
+      canvasHeight(ui) - 2 * margin(ui) - 2 * barHeight(ui) - kButtonBelow - radius * 0.92f;
+  const float highest = margin(ui) + radius;
+  const ImVec2 at{canvasWidth(ui) / 2,
+                  std::min(canvasHeight(ui) / 2 - radius * 0.25f, std::max(lowest, highest))};
   constexpr int kSteps = 160;
   const int shown = static_cast<int>(std::lround(kSteps * progress));
   list.PathClear();
@@ -86,7 +92,7 @@ void drawHint(const PanelInput& input, UiState& ui, Requests& requests) {
   PanelBox box;
   box.bar = true;
   box.anchor = {0.5f, 0};
-  box.position = {std::round(at.x), std::round(at.y + radius * 0.92f + 64)};
+  box.position = {std::round(at.x), std::round(at.y + radius * 0.92f + kButtonBelow)};
   const float room = canvasHeight(ui) - 2 * margin(ui) - barHeight(ui) - box.position.y;
   if (room < barHeight(ui)) return;
   // In the middle of the canvas, where strokes begin: only a click on it is for it.

@@ -31,6 +31,7 @@ struct Requests {
   std::vector<Command> commands;
   std::vector<FileAction> files;
   bool commit_edit = false;  // UiState::edit becomes a command
+  bool reset = false;        // the commands come from a double click, its first click before them
   bool undo = false, redo = false;
   char key = 0;  // as if this key had been pressed
   bool frame_all = false;

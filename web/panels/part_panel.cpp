@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "document/depth.h"
 #include "document/symmetry.h"
@@ -88,7 +89,7 @@ class PartPanel {
     ImGui::SetCursorPos({at.x + width - side + 4, at.y});
     if (iconButton("close", kIconX, side, {"Close  (Esc)"})) {
       if (ui_.narrow()) {
-        ui_.open.part = ui_.open.skeleton = false;
+        ui_.open.part = ui_.open.bones = false;
       } else {
         ui_.selection.clear();
       }
@@ -132,7 +133,8 @@ class PartPanel {
   }
 
   void follow(const SliderEvent& event) {
-    if (event.released) requests_.commit_edit = true;
+    if (event.released && !event.reset) requests_.commit_edit = true;
+    requests_.reset |= event.reset;
     requests_.again |= event.changed || event.released || event.reset;
   }
 
@@ -204,13 +206,19 @@ class PartPanel {
     const float width = ImGui::GetContentRegionAvail().x;
     size_t count = 1;
     while (count < kColors && !(partColor(count) == partColor(0))) ++count;  // they begin again
+    // A colour that came with a file has a place of its own behind them.
+    std::vector<Color> colors;
+    for (size_t i = 0; i < count; ++i) colors.push_back(partColor(i));
+    const Color own = primary().color;
+    if (std::find(colors.begin(), colors.end(), own) == colors.end()) colors.push_back(own);
+    count = colors.size();
     const float least = ui_.touch() ? 44.0f : 32.0f;
     const auto fits = std::max<size_t>(1, static_cast<size_t>(width / least));
     const size_t rows = (count + fits - 1) / fits, per_row = (count + rows - 1) / rows;
     const float side = std::min(width / static_cast<float>(per_row), least + 4);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
     for (size_t i = 0; i < count; ++i) {
-      const Color color = partColor(i);
+      const Color color = colors[i];
       if (i % per_row != 0) ImGui::SameLine();
       ImGui::PushID(static_cast<int>(i));
       const bool chosen = all([&](const PartSource& part) { return part.color == color; });
@@ -238,12 +246,14 @@ class PartPanel {
 
   void skeleton() {
     const bool on = all([](const PartSource& part) { return part.skeleton; });
-    if (disclosure("skeleton", kIconBone, "Bones", on ? joints().c_str() : "none",
-                   ui_.open.skeleton, rowHeight(ui_))) {
-      ui_.open.skeleton = !ui_.open.skeleton;
+    const bool open = showsBones(ui_);
+    if (disclosure("skeleton", kIconBone, "Bones", on ? joints().c_str() : "none", open,
+                   rowHeight(ui_))) {
+      ui_.open.skeleton = false;
+      ui_.open.bones = !open;
       requests_.again = true;
     }
-    if (!ui_.open.skeleton) return;
+    if (!open) return;
     if (switchRow("bones", kIconBone, "Bones of its own", on, rowHeight(ui_))) {
       ask(SetSkeleton{ids_, !on});
     }
@@ -289,6 +299,10 @@ std::vector<std::string> selectedSources(const PanelInput& input, const UiState&
 
 std::string counted(size_t n, const char* one) {
   return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
+}
+
+bool partPanelShows(const PanelInput& input, const UiState& ui) {
+  return ui.open.part && (ui.narrow() || !selectedSources(input, ui).empty());
 }
 
 void drawPartPanel(const PanelInput& input, UiState& ui, Requests& requests) {

@@ -214,7 +214,8 @@ class Thresholds {
       if (t != mark) change.value = fromSlider(row, t);
       ui_.edit = PendingEdit{change};
     }
-    if (event.released) requests_.commit_edit = true;
+    if (event.released && !event.reset) requests_.commit_edit = true;
+    requests_.reset |= event.reset;
     ImGui::SameLine();
     ImGui::PushID(row.id);
     bool reset = event.reset;
@@ -291,8 +292,7 @@ void drawThresholds(const PanelInput& input, UiState& ui, Requests& requests) {
 }
 
 void drawRefinePanel(const PanelInput& input, UiState& ui, Requests& requests) {
-  const bool in_part = ui.open.part && (ui.narrow() || !selectedSources(input, ui).empty());
-  if (!ui.open.skeleton || in_part || input.drawing) return;
+  if (!ui.open.skeleton || partPanelShows(input, ui) || input.drawing) return;
   beginPanel("refine", ui.narrow() ? sheetBox(ui) : columnBox(ui));
   if (titleRow("Bones", ui)) {
     ui.open.skeleton = false;

@@ -46,8 +46,7 @@ float height(const UiState& ui) {
   return (kTools.size() + 2) * (buttonSide(ui) + 2) + 7 + kBarPadding;
 }
 
-bool sheetReaches(float y, const UiState& ui) {
-  if (lowCanvas(ui)) return false;
+bool sheetReaches(float y) {
   for (const char* name : {"part", "parts", "refine"}) {
     const auto sheet = panelSpan(name);
     if (sheet && sheet->top < y) return true;
@@ -76,7 +75,8 @@ const char* toString(ToolKind tool) {
 void drawToolPanel(const PanelInput& input, UiState& ui, Requests& requests) {
   PanelBox box;
   box.position = {margin(ui), 2 * margin(ui) + barHeight(ui)};
-  if (ui.narrow() && (ui.open.anySheet() || sheetReaches(box.position.y + height(ui), ui))) {
+  const bool sheets_below = ui.narrow() && !lowCanvas(ui);
+  if (sheets_below && (ui.open.anySheet() || sheetReaches(box.position.y + height(ui)))) {
     return;  // it needs the room
   }
   box.bar = true;

@@ -4,7 +4,7 @@
 
 #include "icons.h"
 #include "panels/layout.h"
-#include "panels/panel.h"
+#include "panels/sections.h"
 
 namespace marrow {
 namespace {
@@ -125,7 +125,19 @@ void panelButton(const char* id, const char* icon, bool PanelsOpen::*which, Butt
   requests.again = true;
 }
 
-void drawWide(UiState& ui, Requests& requests) {
+// The thresholds have a panel of their own, or stand in the selected part's as long as that is
+// there.
+void bonesButton(const PanelInput& input, UiState& ui, Requests& requests) {
+  const bool in_part = partPanelShows(input, ui);
+  ButtonLook look{"More bones or fewer"};
+  look.on = ui.open.skeleton || (in_part && ui.open.bones);
+  if (!iconButton("skeleton", kIconSlidersHorizontal, buttonSide(ui), look)) return;
+  ui.open.skeleton = !look.on;
+  if (in_part) ui.open.bones = false;
+  requests.again = true;
+}
+
+void drawWide(const PanelInput& input, UiState& ui, Requests& requests) {
   PanelBox box;
   box.bar = true;
   box.anchor = {1, 0};
@@ -150,8 +162,7 @@ void drawWide(UiState& ui, Requests& requests) {
   panelButton("picture", kIconImage, &PanelsOpen::picture,
               {"Picture to draw after, behind this view"}, ui, requests);
   ImGui::SameLine();
-  panelButton("skeleton", kIconSlidersHorizontal, &PanelsOpen::skeleton, {"More bones or fewer"},
-              ui, requests);
+  bonesButton(input, ui, requests);
   endPanel();
 
   box.anchor = {1, 1};
@@ -234,7 +245,7 @@ void drawViewControls(const PanelInput& input, UiState& ui, Requests& requests) 
   if (ui.narrow()) {
     drawNarrow(input, ui, requests);
   } else {
-    drawWide(ui, requests);
+    drawWide(input, ui, requests);
   }
 }
 

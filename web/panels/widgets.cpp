@@ -141,7 +141,8 @@ void endPanel() {
 std::optional<PanelSpan> panelSpan(const char* name) {
   const ImGuiWindow* window = ImGui::FindWindowByName(name);
   if (!window || !window->WasActive || window->Hidden) return std::nullopt;
-  return PanelSpan{window->Pos.y, window->Pos.y + window->Size.y};
+  const ImVec2 low = window->Pos, size = window->Size;
+  return PanelSpan{low.x, low.y, low.x + size.x, low.y + size.y};
 }
 
 void beginScrolling(const char* name, float height, bool touch) {
@@ -271,13 +272,22 @@ std::optional<std::string> textField(const char* id, const std::string& owner,
     text.copy(now.text.data(), now.text.size() - 1);
     now.before = now.text.data();
   }
+  const ImVec2 padding = ImGui::GetStyle().FramePadding;
+  const bool cut = !was_typing && ImGui::CalcTextSize(now.text.data()).x > width - 2 * padding.x;
   ImGui::SetNextItemWidth(width);
   ImGui::PushID(owner.c_str());
+  if (cut) ImGui::PushStyleColor(ImGuiCol_Text, 0);
   ImGui::InputTextWithHint(
       (std::string("##") + id).c_str(), hint, now.text.data(), now.text.size(),
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  if (cut) ImGui::PopStyleColor();
   ImGui::PopID();
   notePlace(id);
+  if (cut && !ImGui::IsItemActive()) {
+    const ImVec2 low = ImGui::GetItemRectMin();
+    fittingText(now.text.data(), {low.x + padding.x, low.y + padding.y}, width - 2 * padding.x,
+                Theme::kText);
+  }
   if (ImGui::IsItemActive()) {
     now.item = ImGui::GetItemID();
     now.frame = ImGui::GetFrameCount();

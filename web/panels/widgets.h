@@ -24,9 +24,9 @@ struct PanelBox {
 };
 void beginPanel(const char* name, const PanelBox& box);
 void endPanel();
-/// Where a panel began and ended, from top to bottom, if it was there in the last frame.
+/// Where a panel lies, if it was there in the last frame.
 struct PanelSpan {
-  float top, bottom;
+  float left, top, right, bottom;
 };
 std::optional<PanelSpan> panelSpan(const char* name);
 /// A stretch of a panel that scrolls by itself; both are called always.
