@@ -18,11 +18,15 @@ constexpr double kPreviewShare = 0.6;
 constexpr double kBoneReach_px = 7, kBoneTouch_px = 16;
 // A stroke shorter than this on the screen was no stroke.
 constexpr double kShortestStroke_px = 20;
+// A second click so soon belongs to the first one.
+constexpr double kDoubleClick_ms = 700;
 constexpr const char* kAlone =
     "This part touches nothing, so it has a skeleton of its own. Move it until it touches, or "
     "attach it in its panel.";
 constexpr const char* kTooSmall =
     "That was too small to become a shape. Draw a closed shape, a little larger.";
+
+bool isFileKey(Key key) { return key == Key::open || key == Key::save || key == Key::save_as; }
 
 bool isButton(const InputEvent& event) {
   const auto* pointer = std::get_if<PointerEvent>(&event);
@@ -67,6 +71,7 @@ App::FrameResult App::frame(double now_ms) {
       meter_,   shelf_, tools_.drawing().active() && tools_.drawing().isStroke()};
   requests_ = panels_.frame(input, ui_);
   requests_.frame_all |= std::exchange(frame_all_next_, false);
+  makeRoom();
 
   FrameResult result;
   const uint64_t fingerprints[] = {fingerprint(scene_), panels_.fingerprint()};
@@ -96,18 +101,26 @@ void App::redraw() {
 void App::takeInput() {
   // The panels see where a pointer is and whether it is down once a frame: what comes after a
   // change waits for the next one, and letting go waits for the way there.
-  bool panels_busy = false, panels_moved = false;
+  bool panels_busy = false, panels_moved = false, panels_read = false;
   while (!input_.empty()) {
     const InputEvent event = input_.front();
     const auto* pointer = std::get_if<PointerEvent>(&event);
     if (pointer && (panels_busy || (panels_moved && pointer->type == PointerEvent::Type::up)))
       break;
+    const bool pressed = pointer && pointer->type == PointerEvent::Type::down;
+    const auto* key = std::get_if<KeyEvent>(&event);
+    if (panels_read && (pressed || (key && isFileKey(key->key))))
+      break;  // not before the last letter
+    if (key && isFileKey(key->key) && panels_.wantsText()) {
+      panels_.letGoOfText();  // files have to do with the name that is being typed
+      break;
+    }
     input_.pop_front();
     if (pointer) {
       const bool to_panels = handle(*pointer);
       panels_busy = to_panels && isButton(*pointer);
       panels_moved |= to_panels;
-    } else if (const auto* key = std::get_if<KeyEvent>(&event)) {
+    } else if (key) {
       handle(*key);
     } else if (const auto* wheel = std::get_if<WheelEvent>(&event)) {
       if (panels_.panelAt(wheel->position_px)) {
@@ -116,7 +129,9 @@ void App::takeInput() {
         tools_.wheel(*wheel, ui_);
       }
     } else if (const auto* text = std::get_if<TextEvent>(&event)) {
-      if (panels_.wantsText()) panels_.text(*text);
+      if (!panels_.wantsText()) continue;
+      panels_.text(*text);
+      panels_read = true;
     }
   }
   tools_.settle(ui_, pivot());
@@ -130,6 +145,8 @@ bool App::handle(const PointerEvent& event) {
   const bool was_stroke = tools_.drawing().active() && tools_.drawing().isStroke();
   const Tools::Outcome outcome = tools_.pointer(event, ui_, around);
   if (outcome.to_panels) panels_.pointer(event);
+  // A press on the canvas takes the keyboard away from text, however short it is.
+  if (!outcome.to_panels && event.type == PointerEvent::Type::down) panels_.letGoOfText();
   if (!was_stroke && tools_.drawing().active() && tools_.drawing().isStroke()) {
     meter_.preview.restart();
   }
@@ -204,12 +221,17 @@ void App::finishStroke() {
 
 void App::applyRequests() {
   const Requests requests = std::exchange(requests_, {});
+  if (requests.reset) closeEdit();
+  const Document* before = &document();
+  const bool click_before = let_go_ms_ >= 0 && ui_.now_ms - let_go_ms_ < kDoubleClick_ms;
   if (requests.commit_edit && ui_.edit) {
     const Command command = ui_.edit->command;
     closeEdit();
     apply(command);
+    if (&document() != before) let_go_ms_ = ui_.now_ms;
   }
   for (const Command& command : requests.commands) apply(command);
+  if (requests.reset && click_before && &document() != before) joinLastSteps();
   for (const FileAction& action : requests.files) act(action);
   if (requests.key) handleCharacter(requests.key);
   if (requests.undo) undo();
@@ -220,6 +242,15 @@ void App::applyRequests() {
     ui_.glide.stop();
     ui_.camera.orbit(requests.orbit_px, pivot());
   }
+}
+
+// The first click of a double click has moved the slider: one step for both.
+void App::joinLastSteps() {
+  Document last = document();
+  const std::string name = history_.undoName();
+  history_.undo();
+  history_.undo();
+  history_.push(std::move(last), name);
 }
 
 void App::apply(const Command& command) {
@@ -248,6 +279,7 @@ void App::apply(const Command& command) {
     meter_.last_evaluation_ms = added.part->timings.total_ms;
   }
   const std::string name = describe(document(), command);
+  let_go_ms_ = -1;
   history_.push(std::move(*next), name);
   document_changed_ = true;
 }
@@ -264,6 +296,7 @@ bool App::undo() {
   if (!history_.canUndo() || tools_.drawing().active()) return false;
   hand_.cancel(ui_);
   closeEdit();
+  let_go_ms_ = -1;
   history_.undo();
   document_changed_ = true;
   update();
@@ -274,6 +307,7 @@ bool App::redo() {
   if (!history_.canRedo() || tools_.drawing().active()) return false;
   hand_.cancel(ui_);
   closeEdit();
+  let_go_ms_ = -1;
   history_.redo();
   document_changed_ = true;
   update();
@@ -446,39 +480,5 @@ void App::click(Vec2 pixel, bool shift) {
 }
 
 void App::say(std::string sentence) { ui_.toast = Toast{std::move(sentence), ui_.now_ms}; }
-
-void App::show(StandardView view) {
-  if (tools_.drawing().active()) return;
-  const Camera from = ui_.camera;
-  ui_.glide.start(from, turnedTo(from, view, pivot()), pivot(), ui_.now_ms);
-}
-
-void App::frameAll() {
-  if (tools_.drawing().active()) return;
-  Camera to = ui_.camera;
-  if (scene_.bodies.empty()) {
-    to = Camera{};
-    to.yaw_rad = ui_.camera.yaw_rad;
-    to.pitch_rad = ui_.camera.pitch_rad;
-  } else {
-    const auto model = [&](Float3 p) { return scene_.camera.target + Vec3{p.x, p.y, p.z}; };
-    const double margin_px = ui_.narrow() ? 64 : 100;
-    to = framing(ui_.camera, model(scene_.low), model(scene_.high), ui_.size, margin_px);
-  }
-  ui_.glide.start(ui_.camera, to, pivot(), ui_.now_ms);
-}
-
-Vec3 App::ground() const {
-  if (scene_.bodies.empty()) return {};
-  const Vec3 middle = pivot();
-  return {middle.x, scene_.camera.target.y + scene_.low.y, middle.z};
-}
-
-Vec3 App::pivot() const {
-  if (scene_.bodies.empty()) return {};
-  const Float3 low = scene_.low, high = scene_.high;
-  return scene_.camera.target +
-         Vec3{(low.x + high.x) / 2.0, (low.y + high.y) / 2.0, (low.z + high.z) / 2.0};
-}
 
 }  // namespace marrow

@@ -5,6 +5,7 @@
 #include <deque>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "document/evaluation.h"
 #include "document/history.h"
@@ -90,6 +91,7 @@ class App {
   bool handleCharacter(char character);
   bool escape();
   void applyRequests();
+  void joinLastSteps();
   void apply(const Command& command);
   void finishStroke();
   /// Whether a part hangs on another, or another on it.
@@ -113,6 +115,9 @@ class App {
   void updateShelf(FrameResult& result);
   void show(StandardView view);
   void frameAll();
+  Insets frameInsets(const Insets& covered) const;
+  void makeRoom();
+  std::pair<Vec3, Vec3> modelBox() const;
   Vec3 pivot() const;
   void closeEdit();
 
@@ -128,6 +133,12 @@ class App {
   Meter meter_;
   WarmUp warm_up_;
   Shelf shelf_;
+  /// Where the camera was before a sheet came, and where it is beside the sheet.
+  struct Room {
+    Camera before, beside;
+    Insets covered;
+  };
+  std::optional<Room> room_;
   bool frame_all_next_ = false;  // once the scene shows what was opened
   LivePart live_;
   Error live_error_;
@@ -141,6 +152,7 @@ class App {
   std::deque<InputEvent> input_;
   Requests requests_;
   bool document_changed_ = true;
+  double let_go_ms_ = -1;  // when the last step came from a setting under the hand; −1: it did not
   int frames_to_settle_ = 3;  // ImGui needs some to react to what it saw
   uint64_t drawn_fingerprint_ = 0;
   uint64_t frames_drawn_ = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/box.h"
+
 namespace marrow {
 namespace {
 
@@ -97,7 +99,7 @@ std::optional<StandardView> standardView(const Camera& camera) {
   return std::nullopt;
 }
 
-Camera framing(const Camera& camera, Vec3 low, Vec3 high, ViewSize size, double margin_px) {
+Camera framing(const Camera& camera, Vec3 low, Vec3 high, ViewSize size, const Insets& insets) {
   Camera framed = camera;
   framed.target = (low + high) / 2;
   double half_width = 0, half_height = 0;
@@ -107,13 +109,36 @@ Camera framing(const Camera& camera, Vec3 low, Vec3 high, ViewSize size, double 
     half_width = std::max(half_width, std::abs(view.x));
     half_height = std::max(half_height, std::abs(view.y));
   }
-  const double width = std::max(size.width - 2 * margin_px, 50.0);
-  const double height = std::max(size.height - 2 * margin_px, 50.0);
+  const double width = std::max(size.width - insets.left - insets.right, 50.0);
+  const double height = std::max(size.height - insets.top - insets.bottom, 50.0);
   if (half_width <= 0 && half_height <= 0) return framed;
   framed.zoom = std::min(half_width > 0 ? width / (2 * half_width) : kMaxZoom,
                          half_height > 0 ? height / (2 * half_height) : kMaxZoom);
   framed.zoom = std::clamp(framed.zoom, kMinZoom, kMaxZoom);
+  framed.pan({(insets.left - insets.right) / 2, (insets.top - insets.bottom) / 2});
   return framed;
+}
+
+Camera makingRoom(const Camera& camera, Vec3 low, Vec3 high, ViewSize size, const Insets& insets) {
+  Box2 seen;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec2 at = camera.toScreen(
+        {corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z},
+        size);
+    seen.include(Vec2{std::clamp(at.x, 0.0, size.width), std::clamp(at.y, 0.0, size.height)});
+  }
+  const Vec2 middle{size.width / 2, size.height / 2}, span = seen.high - seen.low;
+  const Vec2 from{insets.left, insets.top};
+  const Vec2 to{size.width - insets.right, size.height - insets.bottom};
+  if (span.x <= 0 || span.y <= 0 || from.x >= to.x || from.y >= to.y) return camera;
+  const double scale = std::min({1.0, (to.x - from.x) / span.x, (to.y - from.y) / span.y});
+  Camera moved = camera;
+  moved.zoom = std::max(camera.zoom * scale, kMinZoom);
+  const Vec2 a = middle + (seen.low - middle) * scale, b = middle + (seen.high - middle) * scale;
+  const Vec2 way{std::clamp(0.0, from.x - a.x, std::max(from.x - a.x, to.x - b.x)),
+                 std::clamp(0.0, from.y - a.y, std::max(from.y - a.y, to.y - b.y))};
+  if (way != Vec2{}) moved.pan(way);
+  return moved;
 }
 
 void CameraGlide::start(const Camera& from, const Camera& to, Vec3 pivot, double now_ms) {

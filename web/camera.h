@@ -41,6 +41,19 @@ struct Camera {
   void zoomAt(Vec2 pixel, double factor, ViewSize size);
 };
 
+inline bool operator==(const Camera& a, const Camera& b) {
+  return a.target == b.target && a.yaw_rad == b.yaw_rad && a.pitch_rad == b.pitch_rad &&
+         a.zoom == b.zoom;
+}
+
+/// How far something reaches in from each side of the canvas, CSS pixels.
+struct Insets {
+  double left = 0, top = 0, right = 0, bottom = 0;
+};
+inline bool operator==(const Insets& a, const Insets& b) {
+  return a.left == b.left && a.top == b.top && a.right == b.right && a.bottom == b.bottom;
+}
+
 enum class StandardView : uint8_t { front, right, top };
 const char* toString(StandardView view);
 
@@ -48,8 +61,11 @@ const char* toString(StandardView view);
 Camera turnedTo(const Camera& camera, StandardView view, Vec3 pivot);
 /// The standard view this camera is in, if any.
 std::optional<StandardView> standardView(const Camera& camera);
-/// The camera moved and zoomed so that the box fills the part of the canvas inside `margin_px`.
-Camera framing(const Camera& camera, Vec3 low, Vec3 high, ViewSize size, double margin_px);
+/// The camera moved and zoomed so that the box fills the part of the canvas inside the insets.
+Camera framing(const Camera& camera, Vec3 low, Vec3 high, ViewSize size, const Insets& insets);
+/// The camera moved, and zoomed out where it must, so that what is seen of the box lies inside the
+/// insets. The same camera where it does already.
+Camera makingRoom(const Camera& camera, Vec3 low, Vec3 high, ViewSize size, const Insets& insets);
 
 /// A short glide from one camera to another. What the view turns about moves straight on the
 /// screen, or keeps its place there where it has the same one in both.

@@ -44,7 +44,8 @@ Scene sceneOf(const Document& document, const std::vector<EvaluatedPart>& parts,
   Camera camera;
   camera.yaw_rad = kYaw_rad;
   camera.pitch_rad = kPitch_rad;
-  scene.camera = framing(camera, box.low, box.high, scene.size, kMargin_px);
+  scene.camera = framing(camera, box.low, box.high, scene.size,
+                         {kMargin_px, kMargin_px, kMargin_px, kMargin_px});
   scene.low = relative(box.low, scene.camera.target);
   scene.high = relative(box.high, scene.camera.target);
   scene.depth = static_cast<float>(2 * length(box.size()));

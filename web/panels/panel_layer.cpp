@@ -4,6 +4,7 @@
 #include <cfloat>
 
 #include "imgui_internal.h"
+#include "panels/layout.h"
 #include "panels/theme.h"
 #include "panels/widgets.h"
 #include "render/scene.h"
@@ -36,17 +37,15 @@ ImGuiKey imguiKey(Key key) {
   }
 }
 
-// There is room for one panel at the left: the one that was opened last.
-void keepOneAtLeft(PanelsOpen& open, const PanelsOpen& before) {
-  constexpr bool PanelsOpen::*kLeft[] = {&PanelsOpen::file, &PanelsOpen::gallery,
-                                         &PanelsOpen::picture, &PanelsOpen::help,
-                                         &PanelsOpen::parts};
-  for (const auto opened : kLeft) {
-    if (!(open.*opened) || before.*opened) continue;
-    for (const auto other : kLeft) open.*other = other == opened;
-    return;
-  }
-}
+struct Side {
+  const char* name;
+  bool PanelsOpen::*open;
+};
+constexpr Side kLeft[] = {{"file", &PanelsOpen::file},
+                          {"gallery", &PanelsOpen::gallery},
+                          {"picture", &PanelsOpen::picture},
+                          {"help panel", &PanelsOpen::help},
+                          {"parts", &PanelsOpen::parts}};
 
 }  // namespace
 
@@ -134,8 +133,62 @@ void PanelLayer::text(const TextEvent& event) {
   ImGui::GetIO().AddInputCharacter(static_cast<unsigned int>(event.character));
 }
 
+void PanelLayer::letGoOfText() {
+  if (ImGui::GetIO().WantTextInput) ImGui::ClearActiveID();
+}
+
 bool PanelLayer::wantsText() const {
   return ImGui::GetIO().WantTextInput && ImGui::GetActiveID() != 0;
+}
+
+// There is room for one panel at the left: the one that was opened last. What the last stroke took
+// stands at the right, but may reach as far as there.
+bool PanelLayer::keepOneAtLeft(PanelsOpen& open) {
+  const auto opens = [&](bool PanelsOpen::*which) { return open.*which && !(last_open_.*which); };
+  const auto opened =
+      std::find_if(std::begin(kLeft), std::end(kLeft), [&](Side side) { return opens(side.open); });
+  if (opened != std::end(kLeft)) {
+    for (const Side& other : kLeft) open.*other.open = other.open == opened->open;
+    left_is_newer_ = true;
+  }
+  if (opens(&PanelsOpen::performance)) left_is_newer_ = false;
+  const auto times = panelSpan("performance panel");
+  const auto meets = [&](Side side) {
+    const auto left = panelSpan(side.name);
+    return open.performance && open.*side.open && times && left && left->right > times->left &&
+           left->bottom > times->top;
+  };
+  const auto met = std::find_if(std::begin(kLeft), std::end(kLeft), meets);
+  frames_met_ = met == std::end(kLeft) ? 0 : frames_met_ + 1;
+  // In its first frame a panel does not know yet how much room it needs.
+  if (frames_met_ >= 2) open.*(left_is_newer_ ? &PanelsOpen::performance : met->open) = false;
+  return frames_met_ > 0;
+}
+
+// What the panels take of the canvas's sides. Sheets lie at the bottom, or at the right of a low
+// canvas, beside whose tools there is not much room either.
+Insets PanelLayer::covered(const UiState& ui, bool by_model_sheets) const {
+  Insets covered;
+  const auto cover = [&](const char* name, double Insets::*side) {
+    const ImGuiWindow* window = ImGui::FindWindowByName(name);
+    if (!window || !window->Active || window->Hidden) return;
+    const ImVec2 low = window->Pos, high{low.x + window->Size.x, low.y + window->Size.y};
+    const double taken = side == &Insets::left    ? high.x
+                         : side == &Insets::right ? canvasWidth(ui) - low.x
+                                                  : canvasHeight(ui) - low.y;
+    covered.*side = std::max(covered.*side, taken);
+  };
+  const auto sheet_side = lowCanvas(ui) ? &Insets::right : &Insets::bottom;
+  for (const char* name : {"part", "parts", "refine", "view sheet"}) {
+    if (ui.narrow()) cover(name, sheet_side);
+  }
+  if (by_model_sheets) return covered;
+  for (const char* name : {"part", "refine"}) {
+    if (!ui.narrow()) cover(name, &Insets::right);
+  }
+  for (const Side& side : kLeft) cover(side.name, ui.narrow() ? sheet_side : &Insets::left);
+  if (lowCanvas(ui)) cover("tools", &Insets::left);
+  return covered;
 }
 
 Requests PanelLayer::frame(const PanelInput& input, UiState& ui) {
@@ -149,9 +202,6 @@ Requests PanelLayer::frame(const PanelInput& input, UiState& ui) {
 
   ImGui::NewFrame();
   forgetPlaces();
-  // A hand on the canvas takes the keyboard away from text, after the last letter.
-  const bool hand = input.hand.mode() != Hand::Mode::idle;
-  if (hand && io.WantTextInput && io.InputQueueCharacters.empty()) ImGui::ClearActiveID();
   Requests requests;
   drawCanvasMarks(input, ui, requests);
   drawHint(input, ui, requests);
@@ -168,7 +218,7 @@ Requests PanelLayer::frame(const PanelInput& input, UiState& ui) {
   drawOffer(input, ui, requests);
   drawRefinePanel(input, ui, requests);
   drawToast(input, ui, requests);
-  keepOneAtLeft(ui.open, last_open_);
+  requests.again |= keepOneAtLeft(ui.open);
   last_open_ = ui.open;
   ImGui::Render();
 

@@ -27,17 +27,27 @@ class PanelLayer {
   /// A text field has the keyboard.
   bool wantsText() const;
 
+  /// Takes the keyboard away from a text field, which then tells what was typed.
+  void letGoOfText();
+
   /// Draws all panels into ImGui's draw lists.
   Requests frame(const PanelInput& input, UiState& ui);
+  /// What the panels of the last frame take of the canvas. by_model_sheets: only a narrow canvas's
+  /// sheets about the model, which is to be seen beside them.
+  Insets covered(const UiState& ui, bool by_model_sheets) const;
   /// Of what is to be drawn.
   uint64_t fingerprint() const;
 
  private:
+  bool keepOneAtLeft(PanelsOpen& open);  // whether one had to go
+
   int fonts_version_ = 0;
   double dpr_ = 0;
   double last_frame_ms_ = 0;
   PanelsOpen last_open_;
-  bool touch_lifted_ = false;  // no pointer hovers after a finger is gone
+  bool touch_lifted_ = false;   // no pointer hovers after a finger is gone
+  int frames_met_ = 0;          // in which that reached as far as a panel at the left
+  bool left_is_newer_ = false;  // than what the last stroke took
   bool keys_down_ = false;
 };
 
