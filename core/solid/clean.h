@@ -1,18 +1,21 @@
-// Tidies what a union leaves along its seams.
+// Tidies what a union leaves along its seams: needles and caps, where a seam passes close to a
+// vertex or an edge.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "base/vec.h"
+#include "solid/cut.h"
 
 namespace marrow {
 
-/// Collapses short edges between points of which at least one is at `first_new` or later, where
-/// the surface stays closed and manifold and no triangle turns over.
-void collapseSlivers(const std::vector<Vec3>& points, size_t first_new,
+/// Collapses short edges that have a new point (one that `soup` has not), and turns the longest
+/// edges of flat triangles around there, where the surface stays closed and manifold and faces the
+/// way it did. Points stay where they are. `sources` says what triangle of the soup each triangle
+/// is a piece of; what they hold of dead triangles is removed.
+void collapseSlivers(const Soup& soup, const std::vector<Vec3>& points,
                      std::vector<std::array<uint32_t, 3>>& triangles,
-                     std::vector<uint32_t>& part_of_triangle);
+                     std::vector<uint32_t>& sources);
 
 }  // namespace marrow

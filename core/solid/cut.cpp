@@ -10,7 +10,7 @@ namespace marrow {
 namespace {
 
 constexpr uint32_t kNone = ~0u;
-constexpr double kTie = 1e-9;  // shares of a segment that floating point can't put in order
+constexpr double kMisplaced = 0x1p-14;  // lattice units, by which a new point's place is rounded
 
 struct Segment {
   uint32_t t, u;            // t < u
@@ -25,7 +25,7 @@ struct Triple {
 /// A triple point on a segment.
 struct Stop {
   uint32_t segment, triple;
-  double share;  // of the way from source to target
+  double share, error;  // of the way from source to target
   int step;      // how many more solids are around behind it: 1 or −1
 };
 
@@ -243,7 +243,7 @@ class Cutter {
     });
     for (size_t i = 1; i < stops_.size(); ++i) {
       const Stop &a = stops_[i - 1], &b = stops_[i];
-      if (a.segment == b.segment && !(b.share - a.share > kTie)) {
+      if (a.segment == b.segment && !(b.share - a.share > a.error + b.error)) {
         fail(triples_[a.triple].v, triples_[b.triple].v);
       }
     }
@@ -264,6 +264,7 @@ class Cutter {
       const double a = dot(normal, pointOf(s.source) - on), b = dot(normal, pointOf(s.target) - on);
       stop.segment = segment;
       stop.share = a != b ? std::min(std::max(a / (a - b), 0.0), 1.0) : 0.5;
+      stop.error = a != b ? kMisplaced * length(normal) / std::fabs(a - b) : 1;
       stop.step = from > 0 ? 1 : -1;
       return true;
     };

@@ -67,7 +67,7 @@ class Merger {
       fill();
       watch_.lap("fill");
       if (options_.collapse_slivers) {
-        collapseSlivers(cut_.points, soup_.points.size(), merged_.mesh.triangles, triangle_parts_);
+        collapseSlivers(soup_, cut_.points, merged_.mesh.triangles, sources_);
       }
       finish();
       watch_.lap("clean");
@@ -184,13 +184,13 @@ class Merger {
     triangles.reserve(cut_.whole.size() + 2 * cut_.borders.size());
     for (const uint32_t t : cut_.whole) {
       triangles.push_back(soup_.triangles[t]);
-      triangle_parts_.push_back(soup_.part_of_triangle[t]);
+      sources_.push_back(t);
     }
     for (size_t first = 0, end = 0; first < cut_.borders.size(); first = end) {
       const uint32_t t = cut_.borders[first].triangle;
       while (end < cut_.borders.size() && cut_.borders[end].triangle == t) ++end;
       fillTriangle(t, first, end);
-      triangle_parts_.resize(triangles.size(), soup_.part_of_triangle[t]);
+      sources_.resize(triangles.size(), t);
     }
   }
 
@@ -252,7 +252,7 @@ class Merger {
     merged_.part_of_triangle.reserve(merged_.mesh.triangles.size());
     for (size_t t = 0; t < merged_.mesh.triangles.size(); ++t) {
       auto& triangle = merged_.mesh.triangles[t];
-      const uint32_t part = triangle_parts_[t];
+      const uint32_t part = soup_.part_of_triangle[sources_[t]];
       std::array<Vec3, 3> normals;
       for (size_t i = 0; i < 3; ++i) normals[i] = normalAt(triangle[i], part, triangle);
       merged_.corner_normals.push_back(normals);
@@ -317,7 +317,7 @@ class Merger {
   Soup soup_;
   std::vector<uint32_t> first_points_;  // of each part
   Cut cut_;
-  std::vector<uint32_t> triangle_parts_;
+  std::vector<uint32_t> sources_;  // of each triangle, what triangle of the soup it is a piece of
   bool is_filled_ = true;
 };
 
