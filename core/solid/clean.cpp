@@ -8,19 +8,21 @@ namespace marrow {
 namespace {
 
 constexpr uint32_t kNone = ~0u;
-constexpr double kShort = 0.2;    // edge ÷ size of the triangle that it is a piece of
-constexpr double kFlat = 0.02;    // roundness of a triangle that is worth turning an edge for
-constexpr double kRound = 0.05;   // … that is good enough
-constexpr double kFacing = 0.5;   // cosine between a triangle and what it is a piece of
+constexpr double kShort = 0.2;   // edge ÷ size of the triangle that it is a piece of
+constexpr double kFlat = 0.02;   // roundness of a triangle that is worth turning an edge for
+constexpr double kRound = 0.05;  // … that is good enough
+constexpr double kFacing = 0.5;  // cosine between a triangle and what it is a piece of
+constexpr double kNudge = 0.3;   // how far a point may be moved to keep the volume ÷ edge
+constexpr double kTiny = 0.01;   // an edge, as kShort, whose volume is not worth that
 constexpr int kRounds = 3;
 
 using Triangle = std::array<uint32_t, 3>;
 
 class Cleaner {
  public:
-  Cleaner(const Soup& soup, const std::vector<Vec3>& points, std::vector<Triangle>& triangles,
-          std::vector<uint32_t>& sources)
-      : soup_(soup), points_(points), triangles_(triangles), sources_(sources) {}
+  Cleaner(const Soup& soup, std::vector<Vec3>& points, std::vector<Triangle>& triangles,
+          std::vector<uint32_t>& sources, const std::vector<char>& frozen)
+      : soup_(soup), points_(points), triangles_(triangles), sources_(sources), frozen_(frozen) {}
 
   void run() {
     findZone();
@@ -80,7 +82,9 @@ class Cleaner {
   /// Area ÷ squared edges, 0.14 for the roundest; negative where it faces another way than what it
   /// is a piece of.
   double roundness(const Triangle& corners, uint32_t source_of) const {
-    const Vec3 a = points_[corners[0]], b = points_[corners[1]], c = points_[corners[2]];
+    return roundness(points_[corners[0]], points_[corners[1]], points_[corners[2]], source_of);
+  }
+  double roundness(Vec3 a, Vec3 b, Vec3 c, uint32_t source_of) const {
     const Vec3 ab = b - a, bc = c - b, ca = a - c;
     const double edges = dot(ab, ab) + dot(bc, bc) + dot(ca, ca);
     if (!(edges > 0)) return 0;
@@ -138,11 +142,18 @@ class Cleaner {
                           std::back_inserter(common));
     if (common.size() != 2 || around_a.size() < 4 || around_b.size() < 4) return false;
 
+    for (const uint32_t p : {a, b}) {
+      for (const uint32_t t : fan(p)) {
+        if (frozen_[sources_[t]]) return false;
+      }
+    }
     // A point where more parts meet does not go to one where fewer do.
-    const double a_gone = mayMerge(a, b) ? roundnessWithout(a, b) : -1;
-    const double b_gone = mayMerge(b, a) ? roundnessWithout(b, a) : -1;
-    if (a_gone < 0 && b_gone < 0) return false;
-    const uint32_t gone = a_gone >= b_gone ? a : b, stays = gone == a ? b : a;
+    const Union a_gone = mayMerge(a, b) ? unite(a, b) : Union{};
+    const Union b_gone = mayMerge(b, a) ? unite(b, a) : Union{};
+    if (a_gone.roundness < 0 && b_gone.roundness < 0) return false;
+    const bool is_a = a_gone.roundness >= b_gone.roundness;
+    const uint32_t gone = is_a ? a : b, stays = is_a ? b : a;
+    points_[stays] = is_a ? a_gone.at : b_gone.at;
     for (const uint32_t t : fan(gone)) {
       Triangle& corners = triangles_[t];
       if (has(corners, stays)) {
@@ -168,18 +179,51 @@ class Cleaner {
     return std::includes(many.begin(), many.end(), few.begin(), few.end());
   }
 
-  /// The worst roundness around `gone` when it is at `stays`; negative where that is not good
-  /// enough.
-  double roundnessWithout(uint32_t gone, uint32_t stays) {
+  struct Union {
+    double roundness = -1;  // the worst around it; negative where that is not good enough
+    Vec3 at;
+  };
+
+  /// Puts `gone` at `stays`, and that a little outward or inward, so that the volume is the same.
+  Union unite(uint32_t gone, uint32_t stays) {
+    const Vec3 from = points_[stays], edge = points_[gone] - from;
+    double missing = 0;  // six times the volume
+    Vec3 area{};         // twice that around the two
+    const auto add = [&](uint32_t t) {
+      const auto [a, b, c] = wedge(t, has(triangles_[t], gone) ? gone : stays);
+      area = area + cross(points_[b] - from, points_[c] - from);
+      if (a == gone) missing += dot(edge, cross(points_[b] - from, points_[c] - from));
+    };
     double before = 1, after = 1;
     for (const uint32_t t : fan(gone)) {
-      Triangle corners = triangles_[t];
-      before = std::min(before, roundness(corners, t));
-      if (has(corners, stays)) continue;
-      std::replace(corners.begin(), corners.end(), gone, stays);
-      after = std::min(after, roundness(corners, t));
+      before = std::min(before, roundness(triangles_[t], t));
+      if (!has(triangles_[t], stays)) add(t);
     }
-    return after >= 0 && after >= std::min(before, kRound) ? after : -1;
+    for (const uint32_t t : fan(stays)) {
+      before = std::min(before, roundness(triangles_[t], t));
+      if (!has(triangles_[t], gone)) add(t);
+    }
+    const Vec3 move = area * (missing / dot(area, area));
+    Vec3 at = from + move;
+    if (!(dot(move, move) <= kNudge * kNudge * dot(edge, edge))) {
+      if (dot(edge, edge) > kTiny * kTiny * length(sourceNormal(fan(gone)[0]))) return {};
+      at = from;
+    }
+    for (const uint32_t middle : {gone, stays}) {
+      for (const uint32_t t : fan(middle)) {
+        if (has(triangles_[t], middle == gone ? stays : gone)) continue;
+        const Triangle corners = wedge(t, middle);
+        after = std::min(after, roundness(at, points_[corners[1]], points_[corners[2]], t));
+      }
+    }
+    return {after >= std::min(before, kRound) ? after : -1, at};
+  }
+
+  /// A triangle's corners, beginning with one of them.
+  Triangle wedge(uint32_t t, uint32_t first) const {
+    const auto& [a, b, c] = triangles_[t];
+    if (a == first) return {a, b, c};
+    return b == first ? Triangle{b, c, a} : Triangle{c, a, b};
   }
 
   void turnFlat() {
@@ -208,7 +252,7 @@ class Cleaner {
     for (const uint32_t u : fan(a)) {
       if (u != t && has(triangles_[u], b)) other = u;
     }
-    if (other == kNone || part(other) != part(t)) return;
+    if (other == kNone || sources_[other] != sources_[t] || frozen_[sources_[t]]) return;
     uint32_t d = kNone;
     for (const uint32_t p : triangles_[other]) {
       if (p != a && p != b) d = p;
@@ -219,9 +263,8 @@ class Cleaner {
     }
     const Triangle one = {a, d, c}, two = {d, b, c};
     const double before = std::min(roundness(corners, t), roundness(triangles_[other], other));
-    const double after =
-        std::min({roundness(one, t), roundness(two, t), roundness(one, other),
-                  roundness(two, other)});
+    const double after = std::min(
+        {roundness(one, t), roundness(two, t), roundness(one, other), roundness(two, other)});
     if (!(after > before) || after <= 0) return;
     triangles_[t] = one;
     triangles_[other] = two;
@@ -233,23 +276,22 @@ class Cleaner {
     fan(d).push_back(t);
   }
 
-  uint32_t part(uint32_t t) const { return soup_.part_of_triangle[sources_[t]]; }
-
   const Soup& soup_;
-  const std::vector<Vec3>& points_;
+  std::vector<Vec3>& points_;
   std::vector<Triangle>& triangles_;
   std::vector<uint32_t>& sources_;
-  std::vector<uint32_t> seam_;               // triangles that have a new point
-  std::vector<uint32_t> zone_;               // of each point, its index in the next two
-  std::vector<std::vector<uint32_t>> fans_;  // the triangles around it
+  const std::vector<char>& frozen_;
+  std::vector<uint32_t> seam_;                // triangles that have a new point
+  std::vector<uint32_t> zone_;                // of each point, its index in the next two
+  std::vector<std::vector<uint32_t>> fans_;   // the triangles around it
   std::vector<std::vector<uint32_t>> kinds_;  // the parts that meet there
 };
 
 }  // namespace
 
-void collapseSlivers(const Soup& soup, const std::vector<Vec3>& points,
-                     std::vector<Triangle>& triangles, std::vector<uint32_t>& sources) {
-  Cleaner(soup, points, triangles, sources).run();
+void collapseSlivers(const Soup& soup, std::vector<Vec3>& points, std::vector<Triangle>& triangles,
+                     std::vector<uint32_t>& sources, const std::vector<char>& frozen) {
+  Cleaner(soup, points, triangles, sources, frozen).run();
 }
 
 }  // namespace marrow

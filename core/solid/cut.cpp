@@ -26,7 +26,7 @@ struct Triple {
 struct Stop {
   uint32_t segment, triple;
   double share, error;  // of the way from source to target
-  int step;      // how many more solids are around behind it: 1 or −1
+  int step;             // how many more solids are around behind it: 1 or −1
 };
 
 class Cutter {

@@ -13,6 +13,7 @@ namespace marrow {
 namespace {
 
 constexpr int kAttempts = 4;
+constexpr int kCleanings = 4;
 constexpr double kJitter = 16;   // lattice units
 constexpr double kOutward = 64;  // between one part and the next, so that copies lie in each other
 constexpr double kTouching = 1e-6;  // of the model's size; nearer parts are moved by other amounts
@@ -60,18 +61,9 @@ class Merger {
   MergedMesh run() {
     for (uint32_t i = 0; i < inputs_.size(); ++i) prepare(i);
     watch_.lap("prepare");
-    while (!solids_.empty() && !cutAll()) {
+    while (!solids_.empty() && !mergeAll()) {
     }
-    watch_.lap("cut");
-    if (!solids_.empty()) {
-      fill();
-      watch_.lap("fill");
-      if (options_.collapse_slivers) {
-        collapseSlivers(soup_, cut_.points, merged_.mesh.triangles, sources_);
-      }
-      finish();
-      watch_.lap("clean");
-    }
+    merged_.mesh = std::move(best_.mesh);
     return std::move(merged_);
   }
 
@@ -105,24 +97,76 @@ class Merger {
   }
 
   /// False: a part had to be left out; try again without it.
-  bool cutAll() {
+  bool mergeAll() {
     makeLattice();
+    best_ = {};
     uint32_t part = 0, other = 0;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
       ++merged_.attempts;
       makeSoup(static_cast<uint64_t>(attempt));
       cut_ = cutSurfaces(soup_);
-      if (cut_.ok) return true;
-      part = std::min(cut_.part, cut_.other);
-      other = std::max(cut_.part, cut_.other);
+      watch_.lap("cut");
+      const bool is_filled = cut_.ok && fill();
+      watch_.lap("fill");
+      if (!is_filled) {
+        part = std::min(cut_.part, cut_.other);
+        other = std::max(cut_.part, cut_.other);
+      } else if (tryWays()) {
+        return true;
+      }
     }
+    if (best_.is_closed) return true;
     leaveOut(solids_[other].input, part == other
                                        ? "its surface crosses itself"
-                                       : "where it meets part " +
-                                             std::to_string(inputs_[solids_[part].input].id) +
-                                             " cannot be decided");
+                                       : "it cannot be joined with part " +
+                                             std::to_string(inputs_[solids_[part].input].id));
     solids_.erase(solids_.begin() + other);
     return false;
+  }
+
+  /// With the slivers gone, and with those that must stay. False: self-intersections are left.
+  bool tryWays() {
+    const std::vector<std::array<uint32_t, 3>> triangles = triangles_;
+    const std::vector<uint32_t> sources = sources_;
+    const std::vector<Vec3> points = cut_.points;
+    std::vector<char> frozen(soup_.triangles.size(), 0);
+    for (int round = 0; options_.collapse_slivers && round < kCleanings; ++round) {
+      collapseSlivers(soup_, cut_.points, triangles_, sources_, frozen);
+      watch_.lap("clean");
+      if (isBest()) return true;
+      for (const auto& [t, u] : crossings_) frozen[sources_[t]] = frozen[sources_[u]] = 1;
+      triangles_ = triangles;
+      sources_ = sources;
+      cut_.points = points;
+    }
+    return isBest();
+  }
+
+  /// Keeps the mesh where it is better than those before; true where it is good.
+  bool isBest() {
+    Candidate candidate;
+    const std::vector<uint32_t> points = compact(candidate.mesh);
+    candidate.is_closed = isClosed(candidate.mesh);
+    crossings_.clear();
+    if (candidate.is_closed) {
+      std::vector<char> changed(triangles_.size());
+      for (size_t t = 0; t < triangles_.size(); ++t) {
+        for (const uint32_t p : triangles_[t]) {
+          if (p >= soup_.points.size() || !(cut_.points[p] == soup_.points[p])) changed[t] = 1;
+        }
+      }
+      crossings_ = selfIntersections(candidate.mesh, changed);
+      candidate.crossings = crossings_.size();
+    }
+    watch_.lap("check");
+    const bool is_better =
+        candidate.is_closed && (!best_.is_closed || candidate.crossings < best_.crossings);
+    if (is_better) {
+      best_ = std::move(candidate);
+      finish(points);
+      watch_.lap("finish");
+    }
+    return best_.is_closed && best_.crossings == 0;
   }
 
   void makeLattice() {
@@ -179,22 +223,27 @@ class Merger {
     }
   }
 
-  void fill() {
-    std::vector<std::array<uint32_t, 3>>& triangles = merged_.mesh.triangles;
-    triangles.reserve(cut_.whole.size() + 2 * cut_.borders.size());
+  bool fill() {
+    triangles_.clear();
+    sources_.clear();
+    triangles_.reserve(cut_.whole.size() + 2 * cut_.borders.size());
     for (const uint32_t t : cut_.whole) {
-      triangles.push_back(soup_.triangles[t]);
+      triangles_.push_back(soup_.triangles[t]);
       sources_.push_back(t);
     }
     for (size_t first = 0, end = 0; first < cut_.borders.size(); first = end) {
       const uint32_t t = cut_.borders[first].triangle;
       while (end < cut_.borders.size() && cut_.borders[end].triangle == t) ++end;
-      fillTriangle(t, first, end);
-      sources_.resize(triangles.size(), t);
+      if (!fillTriangle(t, first, end)) {
+        cut_.part = cut_.other = soup_.part_of_triangle[t];
+        return false;
+      }
+      sources_.resize(triangles_.size(), t);
     }
+    return true;
   }
 
-  void fillTriangle(uint32_t t, size_t first, size_t end) {
+  bool fillTriangle(uint32_t t, size_t first, size_t end) {
     const auto& corners = soup_.triangles[t];
     const Vec3 base = soup_.points[corners[0]];
     const Vec3 normal = cross(soup_.points[corners[1]] - base, soup_.points[corners[2]] - base);
@@ -223,7 +272,7 @@ class Merger {
       }
       borders.push_back(std::move(border));
     }
-    is_filled_ = fillRegion(std::move(borders), merged_.mesh.triangles) && is_filled_;
+    return fillRegion(std::move(borders), triangles_);
   }
 
   bool isOnBorder(uint32_t t, uint32_t point) const {
@@ -236,37 +285,41 @@ class Merger {
     return origin.a != origin.b && isCorner(origin.a) && isCorner(origin.b);
   }
 
-  /// Drops what is not used, and goes back from the lattice into the model.
-  void finish() {
+  /// Makes a mesh of the model of what is used; returns its vertices' points.
+  std::vector<uint32_t> compact(Mesh& mesh) const {
     constexpr uint32_t kUnused = ~0u;
     std::vector<uint32_t> place(cut_.points.size(), kUnused), points;
-    for (auto& triangle : merged_.mesh.triangles) {
+    mesh.triangles = triangles_;
+    for (auto& triangle : mesh.triangles) {
       for (uint32_t& corner : triangle) {
         if (place[corner] == kUnused) {
           place[corner] = static_cast<uint32_t>(points.size());
           points.push_back(corner);
         }
+        corner = place[corner];
       }
     }
-    merged_.corner_normals.reserve(merged_.mesh.triangles.size());
-    merged_.part_of_triangle.reserve(merged_.mesh.triangles.size());
-    for (size_t t = 0; t < merged_.mesh.triangles.size(); ++t) {
-      auto& triangle = merged_.mesh.triangles[t];
+    mesh.positions.reserve(points.size());
+    for (const uint32_t p : points) mesh.positions.push_back(middle_ + cut_.points[p] * unit_);
+    return points;
+  }
+
+  void finish(const std::vector<uint32_t>& points) {
+    merged_.corner_normals.clear();
+    merged_.part_of_triangle.clear();
+    merged_.on_seam.clear();
+    merged_.corner_normals.reserve(triangles_.size());
+    merged_.part_of_triangle.reserve(triangles_.size());
+    for (size_t t = 0; t < triangles_.size(); ++t) {
       const uint32_t part = soup_.part_of_triangle[sources_[t]];
       std::array<Vec3, 3> normals;
-      for (size_t i = 0; i < 3; ++i) normals[i] = normalAt(triangle[i], part, triangle);
+      for (size_t i = 0; i < 3; ++i) normals[i] = normalAt(triangles_[t][i], part, triangles_[t]);
       merged_.corner_normals.push_back(normals);
       merged_.part_of_triangle.push_back(inputs_[solids_[part].input].id);
     }
-    for (auto& triangle : merged_.mesh.triangles) {
-      for (uint32_t& corner : triangle) corner = place[corner];
-    }
-    merged_.mesh.positions.reserve(points.size());
-    for (const uint32_t p : points) {
-      merged_.mesh.positions.push_back(middle_ + cut_.points[p] * unit_);
-      merged_.on_seam.push_back(p >= soup_.points.size());
-    }
+    for (const uint32_t p : points) merged_.on_seam.push_back(p >= soup_.points.size());
     merged_.crossings = cut_.crossings;
+    merged_.self_intersections = best_.crossings;
   }
 
   Vec3 normalAt(uint32_t point, uint32_t part, const std::array<uint32_t, 3>& triangle) const {
@@ -307,6 +360,12 @@ class Merger {
     return size > 0 ? v / size : Vec3{0, 0, 1};
   }
 
+  struct Candidate {
+    Mesh mesh;
+    bool is_closed = false;
+    size_t crossings = 0;
+  };
+
   const std::vector<SolidInput>& inputs_;
   const MergeOptions options_;
   MergedMesh merged_;
@@ -318,7 +377,9 @@ class Merger {
   std::vector<uint32_t> first_points_;  // of each part
   Cut cut_;
   std::vector<uint32_t> sources_;  // of each triangle, what triangle of the soup it is a piece of
-  bool is_filled_ = true;
+  std::vector<std::array<uint32_t, 3>> triangles_;
+  Candidate best_;
+  std::vector<std::pair<uint32_t, uint32_t>> crossings_;  // of the last candidate's triangles
 };
 
 }  // namespace

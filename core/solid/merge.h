@@ -41,8 +41,9 @@ struct MergedMesh {
   std::vector<char> on_seam;  // one per vertex: whether several parts meet there
   std::vector<LeftOut> left_out;
   size_t crossings = 0;  // pairs of triangles of different parts that passed through each other
-  int attempts = 0;      // at general position
-  Timings timings;       // stages: prepare, cut, fill, clean
+  size_t self_intersections = 0;  // 0, but for models so far from the origin that rounding shows
+  int attempts = 0;               // at general position
+  Timings timings;                // stages: prepare, cut, fill, clean, check, finish
 };
 
 /// O(n log n) for n triangles, and a little for each pair of them that cross. Parts that are not

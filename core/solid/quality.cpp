@@ -62,17 +62,48 @@ class IntersectionCounter {
   explicit IntersectionCounter(const Mesh& mesh) : mesh_(mesh) {}
 
   size_t run() const {
-    if (mesh_.triangles.empty()) return 0;
-    std::vector<Box3> boxes(mesh_.triangles.size());
-    for (size_t t = 0; t < boxes.size(); ++t) {
-      for (const uint32_t corner : mesh_.triangles[t]) boxes[t].include(mesh_.positions[corner]);
-    }
     size_t count = 0;
-    BoxTree(std::move(boxes)).pairs([&](uint32_t t, uint32_t u) { count += cross(t, u) ? 1 : 0; });
+    std::vector<uint32_t> all(mesh_.triangles.size());
+    for (uint32_t t = 0; t < all.size(); ++t) all[t] = t;
+    treeOf(all).pairs([&](uint32_t t, uint32_t u) { count += cross(t, u) ? 1 : 0; });
     return count;
   }
 
+  std::vector<std::pair<uint32_t, uint32_t>> run(const std::vector<char>& marked) const {
+    std::vector<uint32_t> chosen, others;
+    Box3 near;
+    for (uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (!marked[t]) continue;
+      chosen.push_back(t);
+      for (const uint32_t corner : mesh_.triangles[t]) near.include(mesh_.positions[corner]);
+    }
+    for (uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (!marked[t] && boxOf(t).meets(near)) others.push_back(t);
+    }
+    std::vector<std::pair<uint32_t, uint32_t>> found;
+    const auto look = [&](uint32_t t, uint32_t u) {
+      if (cross(t, u)) found.push_back({t, u});
+    };
+    const BoxTree tree = treeOf(chosen);
+    tree.pairs([&](uint32_t i, uint32_t j) { look(chosen[i], chosen[j]); });
+    tree.pairs(treeOf(others), [&](uint32_t i, uint32_t j) { look(chosen[i], others[j]); });
+    return found;
+  }
+
  private:
+  Box3 boxOf(uint32_t t) const {
+    Box3 box;
+    for (const uint32_t corner : mesh_.triangles[t]) box.include(mesh_.positions[corner]);
+    return box;
+  }
+
+  BoxTree treeOf(const std::vector<uint32_t>& triangles) const {
+    std::vector<Box3> boxes;
+    boxes.reserve(triangles.size());
+    for (const uint32_t t : triangles) boxes.push_back(boxOf(t));
+    return BoxTree(std::move(boxes));
+  }
+
   Corners corners(uint32_t t) const {
     const auto& [a, b, c] = mesh_.triangles[t];
     return {mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]};
@@ -195,6 +226,11 @@ double signedVolume(const Mesh& mesh) {
 }
 
 size_t countSelfIntersections(const Mesh& mesh) { return IntersectionCounter(mesh).run(); }
+
+std::vector<std::pair<uint32_t, uint32_t>> selfIntersections(const Mesh& mesh,
+                                                             const std::vector<char>& marked) {
+  return IntersectionCounter(mesh).run(marked);
+}
 
 SolidReport inspectSolid(const Mesh& mesh) {
   const MeshReport surface = inspect(mesh);

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "surface/mesh.h"
 
@@ -26,5 +29,9 @@ double signedVolume(const Mesh& mesh);
 /// Pairs of triangles that have more in common than the corners and edges they share; decided
 /// exactly. O(n log n) and a little for each pair that comes near.
 size_t countSelfIntersections(const Mesh& mesh);
+
+/// These pairs, but only those of which at least one triangle is marked.
+std::vector<std::pair<uint32_t, uint32_t>> selfIntersections(const Mesh& mesh,
+                                                             const std::vector<char>& marked);
 
 }  // namespace marrow
