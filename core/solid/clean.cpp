@@ -13,7 +13,7 @@ constexpr double kFlat = 0.02;   // roundness of a triangle that is worth turnin
 constexpr double kRound = 0.05;  // … that is good enough
 constexpr double kFacing = 0.5;  // cosine between a triangle and what it is a piece of
 constexpr double kNudge = 0.3;   // how far a point may be moved to keep the volume ÷ edge
-constexpr double kTiny = 0.01;   // an edge, as kShort, whose volume is not worth that
+constexpr double kTiny = 0.002;  // an edge, as kShort, whose volume is not worth that
 constexpr int kRounds = 3;
 
 using Triangle = std::array<uint32_t, 3>;

@@ -70,7 +70,21 @@ class Cutter {
   }
 
   void findSegments() {
-    for (const auto& [t, u] : meetingTriangles(soup_)) crossTriangles(t, u);
+    const std::vector<uint32_t> first = firstTriangles(soup_);
+    std::vector<BoxTree> trees;
+    for (size_t p = 0; p + 1 < first.size(); ++p) {
+      std::vector<Box3> boxes(first[p + 1] - first[p]);
+      for (uint32_t t = first[p]; t < first[p + 1]; ++t) {
+        for (const uint32_t i : soup_.triangles[t]) boxes[t - first[p]].include(soup_.points[i]);
+      }
+      trees.emplace_back(std::move(boxes));
+    }
+    for (size_t p = 0; p < trees.size(); ++p) {
+      for (size_t q = p + 1; q < trees.size(); ++q) {
+        trees[p].pairs(trees[q],
+                       [&](uint32_t i, uint32_t j) { crossTriangles(first[p] + i, first[q] + j); });
+      }
+    }
     cut_.crossings = segments_.size();
 
     std::sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) {

@@ -1,32 +1,21 @@
 #include "solid/depth.h"
 
-#include "solid/box_tree.h"
+#include "base/box.h"
 
 namespace marrow {
 namespace {
 
 constexpr int kUnknown = 1 << 30;
 
-std::vector<Box3> boxesOfParts(const Soup& soup) {
-  std::vector<Box3> boxes(soup.part_of_point.empty() ? 0 : soup.part_of_point.back() + 1);
-  for (size_t i = 0; i < soup.points.size(); ++i) {
-    boxes[soup.part_of_point[i]].include(soup.points[i]);
-  }
-  return boxes;
-}
-
-/// Where each part's triangles begin; one more at the end.
-std::vector<uint32_t> firstTriangles(const Soup& soup, size_t parts) {
-  std::vector<uint32_t> first(parts + 1, 0);
-  for (const uint32_t part : soup.part_of_triangle) ++first[part + 1];
-  for (size_t p = 1; p < first.size(); ++p) first[p] += first[p - 1];
-  return first;
-}
-
 class DepthFinder {
  public:
   DepthFinder(const Soup& soup, std::vector<Piercing>& piercings)
-      : soup_(soup), piercings_(piercings), boxes_(boxesOfParts(soup)) {}
+      : soup_(soup), piercings_(piercings), first_triangle_(firstTriangles(soup)) {
+    boxes_.resize(first_triangle_.size() - 1);
+    for (size_t i = 0; i < soup.points.size(); ++i) {
+      boxes_[soup.part_of_point[i]].include(soup.points[i]);
+    }
+  }
 
   PointDepths run() {
     joinPoints();
@@ -119,7 +108,6 @@ class DepthFinder {
   /// Counts what a ray upwards goes through.
   int depthByRay(uint32_t point) {
     const Vec3 p = soup_.points[point];
-    if (first_triangle_.empty()) first_triangle_ = firstTriangles(soup_, boxes_.size());
     int depth = 0;
     for (uint32_t part = 0; part < boxes_.size(); ++part) {
       if (part == soup_.part_of_point[point] || !boxes_[part].has(p)) continue;
@@ -166,37 +154,19 @@ class DepthFinder {
   const Soup& soup_;
   std::vector<Piercing>& piercings_;
   PointDepths depths_;
-  std::vector<Box3> boxes_;
-  std::vector<uint32_t> first_triangle_;
+  std::vector<uint32_t> first_triangle_;  // of each part; one more at the end
+  std::vector<Box3> boxes_;               // of each part
   std::vector<uint32_t> above_;
   std::vector<Relation> relations_;
 };
 
 }  // namespace
 
-std::vector<std::pair<uint32_t, uint32_t>> meetingTriangles(const Soup& soup) {
-  const std::vector<Box3> part_boxes = boxesOfParts(soup);
-  const std::vector<uint32_t> first = firstTriangles(soup, part_boxes.size());
-  std::vector<BoxTree> trees;
-  trees.reserve(part_boxes.size());
-  for (uint32_t part = 0; part < part_boxes.size(); ++part) {
-    std::vector<Box3> boxes(first[part + 1] - first[part]);
-    for (uint32_t t = first[part]; t < first[part + 1]; ++t) {
-      for (const uint32_t corner : soup.triangles[t]) {
-        boxes[t - first[part]].include(soup.points[corner]);
-      }
-    }
-    trees.emplace_back(std::move(boxes));
-  }
-  std::vector<std::pair<uint32_t, uint32_t>> pairs;
-  for (uint32_t a = 0; a < trees.size(); ++a) {
-    for (uint32_t b = a + 1; b < trees.size(); ++b) {
-      trees[a].pairs(trees[b], [&](uint32_t i, uint32_t j) {
-        pairs.push_back({first[a] + i, first[b] + j});
-      });
-    }
-  }
-  return pairs;
+std::vector<uint32_t> firstTriangles(const Soup& soup) {
+  std::vector<uint32_t> first(soup.part_of_point.empty() ? 1 : soup.part_of_point.back() + 2, 0);
+  for (const uint32_t part : soup.part_of_triangle) ++first[part + 1];
+  for (size_t p = 1; p < first.size(); ++p) first[p] += first[p - 1];
+  return first;
 }
 
 PointDepths depthsOfPoints(const Soup& soup, std::vector<Piercing>& piercings) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "solid/cut.h"
@@ -24,8 +23,8 @@ struct Piercing {
   int depth;      // in front of the triangle
 };
 
-/// Pairs of triangles of different parts whose boxes meet, the lower first.
-std::vector<std::pair<uint32_t, uint32_t>> meetingTriangles(const Soup& soup);
+/// Where each part's triangles begin; one more at the end.
+std::vector<uint32_t> firstTriangles(const Soup& soup);
 
 struct PointDepths {
   std::vector<int> of_point;
