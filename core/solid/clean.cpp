@@ -14,6 +14,7 @@ constexpr double kRound = 0.05;  // … that is good enough
 constexpr double kFacing = 0.5;  // cosine between a triangle and what it is a piece of
 constexpr double kNudge = 0.3;   // how far a point may be moved to keep the volume ÷ edge
 constexpr double kTiny = 0.002;  // an edge, as kShort, whose volume is not worth that
+constexpr double kLevel = 1e-7;  // distance from a plane ÷ edge in it
 constexpr int kRounds = 3;
 
 using Triangle = std::array<uint32_t, 3>;
@@ -258,6 +259,10 @@ class Cleaner {
       if (p != a && p != b) d = p;
     }
     if (d == c || zone_[d] == kNone) return;
+    // Only within a plane, so that the volume stays.
+    const Vec3 normal = cross(points_[b] - points_[a], points_[c] - points_[a]);
+    const double off = dot(normal, points_[d] - points_[a]);
+    if (off * off > kLevel * kLevel * dot(normal, normal) * most_squared) return;
     for (const uint32_t u : fan(c)) {
       if (has(triangles_[u], d)) return;
     }

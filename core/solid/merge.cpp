@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kAttempts = 4;
 constexpr int kCleanings = 4;
-constexpr double kJitter = 16;   // lattice units
+constexpr double kJitter = 16;   // lattice units; each attempt takes four times as many
 constexpr double kOutward = 64;  // between one part and the next, so that copies lie in each other
 constexpr double kTouching = 1e-6;  // of the model's size; nearer parts are moved by other amounts
 
@@ -202,15 +202,16 @@ class Merger {
     soup_ = {};
     first_points_.clear();
     uint64_t seed = attempt << 40;
+    const double more = static_cast<double>(uint64_t{1} << (2 * attempt));
     for (uint32_t s = 0; s < solids_.size(); ++s) {
       const Solid& solid = solids_[s];
       const uint32_t base = static_cast<uint32_t>(soup_.points.size());
       first_points_.push_back(base);
-      const double outward = kOutward * (solid.rank + 1);
+      const double outward = kOutward * more * (solid.rank + 1);
       for (size_t v = 0; v < solid.mesh.positions.size(); ++v) {
         const Vec3 at = (solid.mesh.positions[v] - middle_) / unit_ + solid.normals[v] * outward;
         const auto place = [&](double value) {
-          return rounded(value + kJitter * scattered(seed++));
+          return rounded(value + kJitter * more * scattered(seed++));
         };
         const double x = place(at.x), y = place(at.y), z = place(at.z);
         soup_.points.push_back({x, y, z});
