@@ -12,7 +12,7 @@ namespace marrow {
 namespace {
 
 constexpr double kStep = 0.5;  // of the way to the neighbours' middle
-constexpr double kStepsMin = 6, kStepsMax = 80;
+constexpr double kStepsMin = 6, kStepsMax = 40;
 constexpr int kNormalsEvery = 4;  // steps
 constexpr int kRepairs = 6;
 
@@ -113,6 +113,48 @@ class Blender {
     return static_cast<int>(std::min(std::max(2 * edges * edges, kStepsMin), kStepsMax));
   }
 
+  Vec3 wayToMiddle(uint32_t v) const {
+    Vec3 sum{};
+    double count = 0;
+    forNeighbours(v, [&](uint32_t u) {
+      sum = sum + merged_.mesh.positions[u];
+      ++count;
+    });
+    return sum / count - merged_.mesh.positions[v];
+  }
+
+  /// As from the neighbours on each side of a seam, were they equally many and equally far: else
+  /// seams would drift to where the mesh is finer, and be ragged.
+  Vec3 wayOffSeam(uint32_t v) const {
+    const auto& positions = merged_.mesh.positions;
+    Vec3 sum{};
+    double nearest = -1, sides = 0;
+    for (size_t i = first_[v]; i < first_[v + 1]; ++i) {
+      const uint32_t part = merged_.part_of_triangle[fans_[i]];
+      bool is_known = false;
+      for (size_t j = first_[v]; j < i && !is_known; ++j) {
+        is_known = merged_.part_of_triangle[fans_[j]] == part;
+      }
+      if (is_known) continue;
+      Vec3 side{};
+      double areas = 0;
+      for (size_t j = i; j < first_[v + 1]; ++j) {
+        if (merged_.part_of_triangle[fans_[j]] != part) continue;
+        const auto& [a, b, c] = merged_.mesh.triangles[fans_[j]];
+        const Vec3 middle = (positions[a] + positions[b] + positions[c]) / 3 - positions[v];
+        const double area = length(cross(positions[b] - positions[a], positions[c] - positions[a]));
+        side = side + middle * area;
+        areas += area;
+      }
+      const double far = length(side);
+      if (!(far > 0)) continue;
+      sum = sum + side / far;
+      if (nearest < 0 || far / areas < nearest) nearest = far / areas;
+      ++sides;
+    }
+    return sides > 0 ? sum * (nearest / sides) : Vec3{};
+  }
+
   void smooth() {
     auto& positions = merged_.mesh.positions;
     std::vector<Vec3> normals(zone_.size()), next(zone_.size());
@@ -125,13 +167,8 @@ class Blender {
           const double size = length(area);
           normals[i] = size > 0 ? area / size : Vec3{};
         }
-        Vec3 sum{};
-        double count = 0;
-        forNeighbours(v, [&](uint32_t u) {
-          sum = sum + positions[u];
-          ++count;
-        });
-        const Vec3 move = (sum / count - positions[v]) * (kStep * weights_[v]);
+        const Vec3 way = weights_[v] < 1 ? wayToMiddle(v) : wayOffSeam(v);
+        const Vec3 move = way * (kStep * weights_[v]);
         next[i] = positions[v] + move - normals[i] * std::min(dot(move, normals[i]), 0.0);
       }
       for (size_t i = 0; i < zone_.size(); ++i) positions[zone_[i]] = next[i];
