@@ -88,6 +88,12 @@ class Merger {
     if (volume < 0) {
       for (auto& triangle : solid.mesh.triangles) std::swap(triangle[1], triangle[2]);
     }
+    if (input.foreign) {
+      if (!inspect(solid.mesh).manifold) return leaveOut(index, "its surface touches itself");
+      if (countSelfIntersections(solid.mesh) > 0) {
+        return leaveOut(index, "its surface crosses itself");
+      }
+    }
     solid.normals = vertexNormals(solid.mesh);
     solids_.push_back(std::move(solid));
   }

@@ -21,6 +21,8 @@ struct SolidInput {
   const Mesh* mesh = nullptr;  // closed, in the part's own coordinates; facing either way
   Frame frame;                 // places it in the model
   uint32_t id = 0;             // the caller's; told of each triangle
+  bool foreign = false;        // not one of our own meshes: left out where it crosses itself, which
+                               // is asked of no other, or pinches itself together in a point
 };
 
 struct MergeOptions {

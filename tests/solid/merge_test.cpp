@@ -268,6 +268,72 @@ TEST_CASE("merge: what is no solid is left out with the reason, and the rest is 
   CHECK(mergeSolids({{&open, {}, 1}}).left_out.size() == 1);
 }
 
+TEST_CASE("merge: foreign meshes that cross or pinch themselves are left out") {
+  const Mesh second = moved(kBox, {0.5, 0.5, 0.5}), far = moved(kBox, {5, 0, 0});
+  const auto together = [](Mesh mesh, const Mesh& other) {
+    const uint32_t base = static_cast<uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
+    for (const auto& [a, b, c] : other.triangles) {
+      mesh.triangles.push_back({base + a, base + b, base + c});
+    }
+    return mesh;
+  };
+  const Mesh crossing = together(kBox, second), sound = together(second, far);
+  Mesh pinched = together(kBox, moved(kBox, {1, 1, 1}));
+  for (auto& triangle : pinched.triangles) {
+    for (uint32_t& corner : triangle) corner = corner == 8 ? 7 : corner;  // their common corner
+  }
+  const MergedMesh all = mergeSolids({{&crossing, {}, 1, true},
+                                      {&pinched, {}, 2, true},
+                                      {&sound, {}, 3, true},
+                                      {&kBox, {}, 4, true}});
+  REQUIRE(all.left_out.size() == 2);
+  CHECK(all.left_out[0].id == 1);
+  CHECK(all.left_out[1].id == 2);
+  const SolidReport report = checkSound(all);
+  CHECK(report.components == 2);
+  CHECK(report.volume == Approx(2.875).epsilon(1e-6));
+}
+
+TEST_CASE("merge: needles and folds as thin as rounding in a part do no harm") {
+  Random random(17);
+  for (int round = 0; round < 20; ++round) {
+    INFO("round " << round);
+    // Boxes one face of which has a point on its edge and one on its diagonal: triangles without
+    // any area.
+    Mesh needles = kBox;
+    const auto split = [&](uint32_t a, uint32_t b, double share) {
+      const uint32_t middle = static_cast<uint32_t>(needles.positions.size());
+      needles.positions.push_back(lerp(needles.positions[a], needles.positions[b], share));
+      const auto triangles = needles.triangles;
+      needles.triangles.clear();
+      for (const auto& triangle : triangles) {
+        bool is_split = false;
+        for (size_t i = 0; i < 3 && !is_split; ++i) {
+          const uint32_t p = triangle[i], q = triangle[(i + 1) % 3], r = triangle[(i + 2) % 3];
+          is_split = (p == a && q == b) || (p == b && q == a);
+          if (is_split)
+            needles.triangles.insert(needles.triangles.end(), {{p, middle, r}, {middle, q, r}});
+        }
+        if (!is_split) needles.triangles.push_back(triangle);
+      }
+      return middle;
+    };
+    const uint32_t middle = split(0, 1, random.unit());
+    split(0, middle, random.unit() * 1e-9);
+    split(0, 3, random.unit() * 1e-12);
+    REQUIRE(isClosed(needles));
+    const Vec3 move = Vec3{random.unit(), random.unit(), random.unit()} * (round % 2 ? 1.0 : 1e-12);
+    const MergedMesh all = merged({needles, moved(needles, move)});
+    CHECK(all.left_out.empty());
+    const SolidReport report = inspectSolid(all.mesh);
+    CHECK(report.closed);
+    CHECK(report.manifold);
+    const double common = (1 - move.x) * (1 - move.y) * (1 - move.z);
+    CHECK(report.volume == Approx(2 - common).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("merge: small and large models, near and far, are all the same to it") {
   for (const double scale : {1e-6, 1.0, 1e6}) {
     for (const double far : {0.0, 1.0, 1e3}) {
