@@ -23,7 +23,9 @@ BoxTree::BoxTree(std::vector<Box3> boxes) {
   std::vector<uint64_t> codes(boxes.size());
   for (size_t i = 0; i < boxes.size(); ++i) {
     const Vec3 at = (boxes[i].middle() - middles.low) * (1023 / widest);
-    const auto part = [](double value) { return spread(static_cast<uint32_t>(value)); };
+    const auto part = [](double value) {
+      return spread(value > 0 ? static_cast<uint32_t>(std::min(value, 1023.0)) : 0);
+    };
     const uint64_t code = part(at.x) | (part(at.y) << 1) | (part(at.z) << 2);
     codes[i] = (code << 32) | i;
   }

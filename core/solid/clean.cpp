@@ -8,13 +8,13 @@ namespace marrow {
 namespace {
 
 constexpr uint32_t kNone = ~0u;
-constexpr double kShort = 0.2;   // edge ÷ size of the triangle that it is a piece of
+constexpr double kShort = 0.25;  // edge ÷ root of twice the mean triangle of the parts there
 constexpr double kFlat = 0.02;   // roundness of a triangle that is worth turning an edge for
 constexpr double kRound = 0.05;  // … that is good enough
 constexpr double kFacing = 0.5;  // cosine between a triangle and what it is a piece of
 constexpr double kNudge = 0.3;   // how far a point may be moved to keep the volume ÷ edge
-constexpr double kTiny = 0.002;  // an edge, as kShort, whose volume is not worth that
-constexpr double kLevel = 1e-7;  // distance from a plane ÷ edge in it
+constexpr double kTiny = 3e-4;   // an edge, as kShort, whose volume is not worth that
+constexpr double kLevel = 1e-3;  // distance from a plane ÷ edge in it
 constexpr int kRounds = 3;
 
 using Triangle = std::array<uint32_t, 3>;
@@ -47,8 +47,18 @@ class Cleaner {
 
   std::vector<uint32_t>& fan(uint32_t p) { return fans_[zone_[p]]; }
 
-  /// Makes fans for the points of triangles that have a new point.
+  /// Measures the parts, and makes fans for the points of triangles that have a new point.
   void findZone() {
+    sizes_.assign(soup_.part_of_point.empty() ? 0 : soup_.part_of_point.back() + 1, 0);
+    std::vector<double> counts(sizes_.size(), 0);
+    for (size_t t = 0; t < soup_.triangles.size(); ++t) {
+      const auto& [a, b, c] = soup_.triangles[t];
+      const uint32_t part = soup_.part_of_triangle[t];
+      sizes_[part] +=
+          length(cross(soup_.points[b] - soup_.points[a], soup_.points[c] - soup_.points[a]));
+      ++counts[part];
+    }
+    for (size_t part = 0; part < sizes_.size(); ++part) sizes_[part] /= std::max(counts[part], 1.0);
     zone_.assign(points_.size(), kNone);
     for (uint32_t t = 0; t < triangles_.size(); ++t) {
       const Triangle& corners = triangles_[t];
@@ -104,7 +114,7 @@ class Cleaner {
     std::vector<Edge> edges;
     for (const uint32_t t : seam_) {
       if (!isAlive(t)) continue;
-      const double limit = kShort * kShort * length(sourceNormal(t));
+      const double limit = kShort * kShort * sizes_[soup_.part_of_triangle[sources_[t]]];
       for (size_t i = 0; i < 3; ++i) {
         const uint32_t a = triangles_[t][i], b = triangles_[t][(i + 1) % 3];
         if (!isNew(a) && !isNew(b)) continue;
@@ -135,6 +145,7 @@ class Cleaner {
   }
 
   bool collapse(uint32_t a, uint32_t b) {
+    if (zone_[a] == kNone || zone_[b] == kNone) return false;
     if (fan(a).empty() || fan(b).empty()) return false;
     const std::vector<uint32_t> around_a = neighbours(a), around_b = neighbours(b);
     if (!std::binary_search(around_a.begin(), around_a.end(), b)) return false;
@@ -143,14 +154,21 @@ class Cleaner {
                           std::back_inserter(common));
     if (common.size() != 2 || around_a.size() < 4 || around_b.size() < 4) return false;
 
+    const Vec3 way = points_[b] - points_[a];
+    double finest = -1;
     for (const uint32_t p : {a, b}) {
       for (const uint32_t t : fan(p)) {
         if (frozen_[sources_[t]]) return false;
+        const double size = sizes_[soup_.part_of_triangle[sources_[t]]];
+        if (finest < 0 || size < finest) finest = size;
       }
     }
+    // Short for the finest mesh there: small parts on large ones keep their shape.
+    if (!(dot(way, way) < kShort * kShort * finest)) return false;
+    const bool is_tiny = dot(way, way) < kTiny * kTiny * finest;
     // A point where more parts meet does not go to one where fewer do.
-    const Union a_gone = mayMerge(a, b) ? unite(a, b) : Union{};
-    const Union b_gone = mayMerge(b, a) ? unite(b, a) : Union{};
+    const Union a_gone = mayMerge(a, b) ? unite(a, b, is_tiny) : Union{};
+    const Union b_gone = mayMerge(b, a) ? unite(b, a, is_tiny) : Union{};
     if (a_gone.roundness < 0 && b_gone.roundness < 0) return false;
     const bool is_a = a_gone.roundness >= b_gone.roundness;
     const uint32_t gone = is_a ? a : b, stays = is_a ? b : a;
@@ -185,8 +203,9 @@ class Cleaner {
     Vec3 at;
   };
 
-  /// Puts `gone` at `stays`, and that a little outward or inward, so that the volume is the same.
-  Union unite(uint32_t gone, uint32_t stays) {
+  /// Puts `gone` at `stays`, and that a little outward or inward, so that the volume is the same;
+  /// that of tiny edges is not worth it where it would take too far.
+  Union unite(uint32_t gone, uint32_t stays, bool is_tiny) {
     const Vec3 from = points_[stays], edge = points_[gone] - from;
     double missing = 0;  // six times the volume
     Vec3 area{};         // twice that around the two
@@ -207,7 +226,7 @@ class Cleaner {
     const Vec3 move = area * (missing / dot(area, area));
     Vec3 at = from + move;
     if (!(dot(move, move) <= kNudge * kNudge * dot(edge, edge))) {
-      if (dot(edge, edge) > kTiny * kTiny * length(sourceNormal(fan(gone)[0]))) return {};
+      if (!is_tiny) return {};
       at = from;
     }
     for (const uint32_t middle : {gone, stays}) {
@@ -259,7 +278,7 @@ class Cleaner {
       if (p != a && p != b) d = p;
     }
     if (d == c || zone_[d] == kNone) return;
-    // Only within a plane, so that the volume stays.
+    // Nearly within a plane, so that the volume stays.
     const Vec3 normal = cross(points_[b] - points_[a], points_[c] - points_[a]);
     const double off = dot(normal, points_[d] - points_[a]);
     if (off * off > kLevel * kLevel * dot(normal, normal) * most_squared) return;
@@ -286,6 +305,7 @@ class Cleaner {
   std::vector<Triangle>& triangles_;
   std::vector<uint32_t>& sources_;
   const std::vector<char>& frozen_;
+  std::vector<double> sizes_;                 // of the parts: twice the area of their mean triangle
   std::vector<uint32_t> seam_;                // triangles that have a new point
   std::vector<uint32_t> zone_;                // of each point, its index in the next two
   std::vector<std::vector<uint32_t>> fans_;   // the triangles around it

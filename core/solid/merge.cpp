@@ -119,15 +119,35 @@ class Merger {
         other = std::max(cut_.part, cut_.other);
       } else if (tryWays()) {
         return true;
+      } else if (!best_.is_closed) {
+        part = other = partWithHole();
       }
     }
     if (best_.is_closed) return true;
     leaveOut(solids_[other].input, part == other
-                                       ? "its surface crosses itself"
+                                       ? "it cannot be joined with the others"
                                        : "it cannot be joined with part " +
                                              std::to_string(inputs_[solids_[part].input].id));
     solids_.erase(solids_.begin() + other);
     return false;
+  }
+
+  /// A part that has an edge without a counterpart.
+  uint32_t partWithHole() const {
+    std::vector<uint64_t> edges;
+    const auto edge = [](uint32_t a, uint32_t b) { return static_cast<uint64_t>(a) << 32 | b; };
+    for (const auto& [a, b, c] : triangles_) {
+      edges.insert(edges.end(), {edge(a, b), edge(b, c), edge(c, a)});
+    }
+    std::sort(edges.begin(), edges.end());
+    for (size_t t = 0; t < triangles_.size(); ++t) {
+      for (size_t i = 0; i < 3; ++i) {
+        const uint32_t a = triangles_[t][i], b = triangles_[t][(i + 1) % 3];
+        const auto [low, high] = std::equal_range(edges.begin(), edges.end(), edge(b, a));
+        if (high - low != 1) return soup_.part_of_triangle[sources_[t]];
+      }
+    }
+    return static_cast<uint32_t>(solids_.size()) - 1;
   }
 
   /// With the slivers gone, and with those that must stay. False: self-intersections are left.

@@ -1,7 +1,7 @@
 #include "solid/quality.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 #include "sketch/turn_sign.h"
 #include "solid/box_tree.h"
@@ -202,8 +202,13 @@ bool isClosed(const Mesh& mesh) {
   for (const auto& triangle : mesh.triangles) {
     for (size_t i = 0; i < 3; ++i) ends[filled[triangle[i]]++] = triangle[(i + 1) % 3];
   }
+  for (size_t v = 0; v < mesh.positions.size(); ++v) {
+    std::sort(ends.begin() + first[v], ends.begin() + first[v + 1]);
+  }
   const auto count = [&](uint32_t from, uint32_t to) {
-    return std::count(ends.begin() + first[from], ends.begin() + first[from + 1], to);
+    const auto [low, high] =
+        std::equal_range(ends.begin() + first[from], ends.begin() + first[from + 1], to);
+    return high - low;
   };
   for (const auto& triangle : mesh.triangles) {
     for (size_t i = 0; i < 3; ++i) {
