@@ -11,15 +11,16 @@
 
 namespace marrow {
 
-/// L M⁻¹ L in units of the lattice. L is that of linear elements on the cells, six tetrahedra each:
-/// a quarter for every edge of a cell, nothing for the diagonals; M an eighth of every corner.
+/// L M⁻¹ L in units of the lattice. L is that of linear elements on the cells, each cut into six
+/// tetrahedra, the mean over its four diagonals: a quarter for every edge of a cell and nothing
+/// for diagonals, which keeps the matrix sparse and symmetric in space. M is an eighth a corner.
 SymmetricRows biharmonicMatrix(const Volume& volume);
 
 struct BiharmonicOptions {
   int most_steps = 20;  // 0: without bounds, cut off at 0 and 1
   /// A step that changes no weight by more than this is the last one. The weights are then about
   /// as near to the solution; 0 goes on till the guess is right.
-  double tolerance = 1e-3;
+  double tolerance = 2e-3;
 };
 
 /// Active sets: a guess at where the bounds hold, the solution where they don't, and what that says

@@ -59,7 +59,37 @@ void glue(uint32_t a, uint32_t b, uint32_t axis, Sets& corners) {
   }
 }
 
-Volume meshOfCells(const Voxels& voxels) {
+/// Calls found(cell, next, axis) for all cells that touch a neighbour's voxels, the neighbour being
+/// the next along the axis: 1, 2 or 4 for x, y or z.
+template <typename Found>
+void forNeighbours(const Volume& volume, Found&& found) {
+  struct Side {
+    size_t cube;  // how far the neighbour is
+    uint32_t axis;
+    int shift;
+    uint64_t low, high;
+  };
+  const size_t row = static_cast<size_t>(volume.nx), layer = row * static_cast<size_t>(volume.ny);
+  const Side sides[] = {
+      {1, 1, 3, kLowX, kHighX}, {row, 2, 12, kLowY, kHighY}, {layer, 4, 48, kLowZ, kHighZ}};
+  const size_t cubes = volume.starts.size() - 1;
+  for (size_t cube = 0; cube < cubes; ++cube) {
+    for (uint32_t cell = volume.starts[cube]; cell < volume.starts[cube + 1]; ++cell) {
+      // The outermost cubes are empty: nobody's neighbour is on the other side of the grid.
+      for (const Side& side : sides) {
+        const size_t beside = cube + side.cube;
+        const uint64_t face = (volume.masks[cell] & side.high) >> side.shift;
+        if (!face || beside >= cubes) continue;
+        for (uint32_t next = volume.starts[beside]; next < volume.starts[beside + 1]; ++next) {
+          if (face & volume.masks[next] & side.low) found(cell, next, side.axis);
+        }
+      }
+    }
+  }
+}
+
+/// The cells of each cube; no vertices yet.
+Volume splitCubes(const Voxels& voxels) {
   Volume volume;
   volume.spacing = voxels.spacing;
   volume.origin = voxels.origin;
@@ -74,43 +104,56 @@ Volume meshOfCells(const Voxels& voxels) {
       inside &= ~volume.masks.back();
     }
   }
-  const uint32_t cell_count = static_cast<uint32_t>(volume.masks.size());
-  volume.starts.push_back(cell_count);
+  volume.starts.push_back(static_cast<uint32_t>(volume.masks.size()));
+  return volume;
+}
 
-  struct Side {
-    size_t cube;  // how far the neighbour is
-    uint32_t axis;
-    int shift;
-    uint64_t low, high;
-  };
-  const Side sides[] = {{1, 1, 3, kLowX, kHighX},
-                        {voxels.cell(0, 1, 0), 2, 12, kLowY, kHighY},
-                        {voxels.cell(0, 0, 1), 4, 48, kLowZ, kHighZ}};
-  Sets corners(8 * size_t{cell_count}), pieces(cell_count);
-  for (size_t cube = 0; cube < voxels.masks.size(); ++cube) {
-    for (uint32_t a = volume.starts[cube]; a < volume.starts[cube + 1]; ++a) {
-      // Nothing is in the outermost cubes but where the surface is grazed; they have no neighbours.
-      for (const Side& side : sides) {
-        const size_t next = cube + side.cube;
-        const uint64_t face = (volume.masks[a] & side.high) >> side.shift;
-        if (!face || next >= voxels.masks.size()) continue;
-        for (uint32_t b = volume.starts[next]; b < volume.starts[next + 1]; ++b) {
-          if (!(face & volume.masks[b] & side.low)) continue;
-          glue(a, b, side.axis, corners);
-          pieces.unite(a, b);
-        }
-      }
+int bitsOf(uint64_t mask) {
+  int count = 0;
+  for (; mask; mask &= mask - 1) ++count;
+  return count;
+}
+
+/// Takes away the cells of pieces of hardly any voxels, which break off sharp edges; not the last.
+void dropCrumbs(Volume& volume) {
+  constexpr int kCrumb = 16;  // voxels, a quarter of a cell
+  const uint32_t count = static_cast<uint32_t>(volume.masks.size());
+  Sets pieces(count);
+  forNeighbours(volume, [&](uint32_t cell, uint32_t next, uint32_t) { pieces.unite(cell, next); });
+  std::vector<int> sizes(count, 0);
+  for (uint32_t cell = 0; cell < count; ++cell) {
+    sizes[pieces.find(cell)] += bitsOf(volume.masks[cell]);
+  }
+  if (count == 0 || *std::max_element(sizes.begin(), sizes.end()) < kCrumb) return;
+  uint32_t kept = 0, cell = 0;
+  for (size_t cube = 0; cube + 1 < volume.starts.size(); ++cube) {
+    volume.starts[cube] = kept;
+    for (const uint32_t end = volume.starts[cube + 1]; cell < end; ++cell) {
+      if (sizes[pieces.find(cell)] >= kCrumb) volume.masks[kept++] = volume.masks[cell];
     }
   }
+  volume.starts.back() = kept;
+  volume.masks.resize(kept);
+}
+
+Volume meshOfCells(const Voxels& voxels) {
+  Volume volume = splitCubes(voxels);
+  dropCrumbs(volume);
+  const uint32_t cell_count = static_cast<uint32_t>(volume.masks.size());
+  Sets corners(8 * size_t{cell_count}), pieces(cell_count);
+  forNeighbours(volume, [&](uint32_t cell, uint32_t next, uint32_t axis) {
+    glue(cell, next, axis, corners);
+    pieces.unite(cell, next);
+  });
 
   std::vector<uint32_t> numbers(8 * size_t{cell_count}), piece_numbers(cell_count);
   volume.cells.resize(cell_count);
+  const size_t nx = static_cast<size_t>(volume.nx), ny = static_cast<size_t>(volume.ny);
   size_t cube = 0;
   for (uint32_t c = 0; c < cell_count; ++c) {
     while (volume.starts[cube + 1] <= c) ++cube;
     const uint32_t piece = pieces.find(c);
     if (piece == c) piece_numbers[c] = volume.piece_count++;
-    const size_t nx = static_cast<size_t>(voxels.nx), ny = static_cast<size_t>(voxels.ny);
     const size_t x = cube % nx, y = cube / nx % ny, z = cube / nx / ny;
     for (uint32_t corner = 0; corner < 8; ++corner) {
       const uint32_t own = 8 * c + corner, first = corners.find(own);
@@ -194,7 +237,8 @@ Result<Volume> makeVolume(const Mesh& mesh, const VolumeOptions& options) {
                   std::floor(centre.z + 0.5)};
   if (!(dot(away, away) < 1e6)) centre = {};
 
-  const double target = std::max(options.target_vertices, 8.0);
+  // Not a number is none of both.
+  const double target = options.target_vertices > 8 ? std::min(options.target_vertices, 1e5) : 8;
   double scale = 1, spacing = 0;
   Volume volume;
   for (int attempt = 0; attempt < 3; ++attempt) {

@@ -122,14 +122,17 @@ VoxelIndex voxelAt(Vec3 p) {
 
 /// Voxels that the surface of thin places goes through.
 std::vector<VoxelIndex> thinPlaces(const Voxels& voxels, const std::vector<Corners>& triangles) {
-  constexpr double kDepth = 1.5;  // a voxel around the point so far below is inside, or it is thin
+  constexpr double kDepth = 1.5;  // the voxel there is inside, or the body is thin
+  double volume = 0;              // negative: the mesh is inside out
+  for (const auto& [a, b, c] : triangles) volume += dot(a.at, cross(b.at, c.at));
+  const double outward = volume < 0 ? -1 : 1;
   std::vector<VoxelIndex> found;
   for (const Corners& triangle : triangles) {
     const Vec3 a = triangle[0].at, ab = triangle[1].at - a, ac = triangle[2].at - a;
     const Vec3 normal = cross(ab, ac);
     const double size = length(normal);
     if (!(size > 0)) continue;
-    const Vec3 inward = normal / -size;
+    const Vec3 inward = normal * (-outward / size);
     const double longest = std::sqrt(std::max({dot(ab, ab), dot(ac, ac), dot(ac - ab, ac - ab)}));
     const int steps = 1 + static_cast<int>(longest);
     for (int i = 0; i <= steps; ++i) {
@@ -138,7 +141,8 @@ std::vector<VoxelIndex> thinPlaces(const Voxels& voxels, const std::vector<Corne
             a + ab * (static_cast<double>(i) / steps) + ac * (static_cast<double>(j) / steps);
         const VoxelIndex below = voxelAt(p + inward * kDepth);
         if (voxels.has(below.x, below.y, below.z)) continue;
-        for (const double depth : {0.0, 0.5, 1.0}) found.push_back(voxelAt(p + inward * depth));
+        // None that only touches the surface: it might touch another limb's.
+        for (const double depth : {0.25, 0.5, 1.0}) found.push_back(voxelAt(p + inward * depth));
       }
     }
   }

@@ -32,9 +32,10 @@ struct Voxels {
 
 /// A voxel is inside where the mesh winds around its centre, so that several closed meshes in one
 /// count as their union; where the body is thinner than about two voxels, those that its surface
-/// goes through are too, so that nothing falls apart. `centre` is a corner of cells. Triangles with
-/// corners that are missing or not finite are left out; so are columns of voxels that the mesh does
-/// not close. Empty without triangles. O(triangles + voxels they cover + cells).
+/// goes through are too, so that nothing falls apart. Gaps of two voxels stay open. `centre` is a
+/// corner of cells. Triangles with corners that are missing or not finite are left out; so are
+/// columns of voxels that the mesh does not close. Empty without triangles. O(triangles + voxels
+/// they cover + cells).
 Voxels voxelise(const Mesh& mesh, double spacing, Vec3 centre);
 
 }  // namespace marrow
