@@ -61,7 +61,7 @@ SymmetricRows laplacian(const Volume& volume, std::vector<double>& mass) {
 enum Bound : uint8_t { kFree, kZero, kOne, kHeld };
 
 constexpr double kNothing = 1e-3;  // without bounds most weights waver around 0; these begin at it
-constexpr double kRelease = 1e-5;  // what would rise by less stays at its bound
+constexpr double kRelease = 1e-6;  // what would rise by less stays at its bound
 constexpr double kOver = 1e-6;     // what a bound is overstepped by without harm
 
 }  // namespace

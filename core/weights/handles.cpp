@@ -8,7 +8,7 @@ namespace marrow {
 namespace {
 
 constexpr double kNear = 0.8661;  // of the spacing: half the diagonal of a cell
-constexpr double kShared = 1;     // of the spacing: a bone so much farther away has no share
+constexpr double kShared = 1;     // of the spacing: from its joint on, a bone has no share
 constexpr double kStep = 0.25;    // of the spacing: between samples of a bone
 
 struct Hold {
@@ -98,7 +98,9 @@ Handles makeHandles(const Volume& volume, const std::vector<Segment>& bones) {
     if (nearest > kNear) continue;
     double sum = 0;
     for (size_t i = begin; i < end; ++i) {
-      const double share = 1 - (holds[i].distance - nearest) / kShared;
+      // How far along the bone its joint is, however far beside it the vertex lies.
+      const double d = holds[i].distance;
+      const double share = 1 - std::sqrt(std::max(d * d - nearest * nearest, 0.0)) / kShared;
       if (!(share > 0)) continue;
       handles.bones.push_back(holds[i].bone);
       handles.shares.push_back(share);

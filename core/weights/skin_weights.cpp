@@ -12,10 +12,20 @@ bool isFinite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::
 
 double square(Vec3 v) { return dot(v, v); }
 
+bool isBefore(const Influence& a, const Influence& b) {
+  return a.weight != b.weight ? a.weight > b.weight : a.bone < b.bone;
+}
+
+/// The first ones, in order again: what was not quite equal may be so now.
 void scaleToOne(Influences& influences, size_t count) {
   double sum = 0;
   for (size_t i = 0; i < count; ++i) sum += influences[i].weight;
   for (size_t i = 0; i < count; ++i) influences[i].weight /= sum;
+  for (size_t i = 1; i < count; ++i) {
+    for (size_t k = i; k > 0 && isBefore(influences[k], influences[k - 1]); --k) {
+      std::swap(influences[k], influences[k - 1]);
+    }
+  }
 }
 
 Influences only(uint32_t bone) {
@@ -26,9 +36,7 @@ Influences only(uint32_t bone) {
 
 /// The largest of many.
 Influences largest(std::vector<Influence>& all) {
-  std::sort(all.begin(), all.end(), [](const Influence& a, const Influence& b) {
-    return a.weight != b.weight ? a.weight > b.weight : a.bone < b.bone;
-  });
+  std::sort(all.begin(), all.end(), isBefore);
   Influences influences{};
   size_t count = 0;
   while (count < all.size() && count < influences.size() &&
@@ -38,6 +46,20 @@ Influences largest(std::vector<Influence>& all) {
   }
   scaleToOne(influences, count);
   return influences;
+}
+
+/// Without triangles of vertices that are not there.
+std::vector<Vec3> normalsOf(const Mesh& mesh) {
+  const auto isBroken = [&](const std::array<uint32_t, 3>& triangle) {
+    return *std::max_element(triangle.begin(), triangle.end()) >= mesh.positions.size();
+  };
+  if (std::none_of(mesh.triangles.begin(), mesh.triangles.end(), isBroken)) {
+    return vertexNormals(mesh);
+  }
+  Mesh sound = mesh;
+  sound.triangles.erase(std::remove_if(sound.triangles.begin(), sound.triangles.end(), isBroken),
+                        sound.triangles.end());
+  return vertexNormals(sound);
 }
 
 uint32_t nearestBone(const std::vector<Segment>& bones, Vec3 point) {
@@ -56,9 +78,10 @@ uint32_t nearestBone(const std::vector<Segment>& bones, Vec3 point) {
 
 Influences limited(const Influences& influences, size_t most) {
   Influences few{};
-  const size_t count = std::min(std::max<size_t>(most, 1), influences.size());
+  size_t count = std::min(std::max<size_t>(most, 1), influences.size());
+  while (count > 0 && influences[count - 1].weight == 0) --count;
   std::copy_n(influences.begin(), count, few.begin());
-  if (few[0].weight > 0) scaleToOne(few, count);
+  scaleToOne(few, count);
   return few;
 }
 
@@ -191,7 +214,7 @@ std::vector<Influences> WeightField::at(const Mesh& mesh) const {
   std::vector<Influences> all(mesh.positions.size(), Influences{});
   if (bone_count_ == 0) return all;
   constexpr double kBelow = 0.2;  // of the spacing: where a point of the surface is surely inside
-  const std::vector<Vec3> normals = vertexNormals(mesh);
+  const std::vector<Vec3> normals = normalsOf(mesh);
   std::vector<double> sums(bone_count_, 0);
   std::vector<uint8_t> seen(bone_count_, 0);
   std::vector<Influence> found;

@@ -84,7 +84,7 @@ TEST_CASE("biharmonic: the weights are the solution of the quadratic programme")
         REQUIRE(weights[v] >= 0);
         REQUIRE(weights[v] <= 1);
         ours(static_cast<Eigen::Index>(v), bone) = weights[v];
-        REQUIRE(std::fabs(converged[v] - reference(static_cast<Eigen::Index>(v), bone)) < 2e-3);
+        REQUIRE(std::fabs(converged[v] - reference(static_cast<Eigen::Index>(v), bone)) < 1e-4);
       }
     }
     const auto normalised = [](Eigen::MatrixXd weights) {
