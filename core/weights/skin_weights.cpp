@@ -6,7 +6,7 @@
 namespace marrow {
 namespace {
 
-constexpr double kLeast = 1e-4;  // weights below are not worth an influence
+constexpr double kLeast = 5e-4;  // weights below are not worth an influence
 
 bool isFinite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
@@ -36,14 +36,15 @@ Influences only(uint32_t bone) {
 
 /// The largest of many.
 Influences largest(std::vector<Influence>& all) {
+  double least = 0;
+  for (const Influence& one : all) least = std::max(least, one.weight);
+  least = std::min(least, kLeast);
+  const auto isSmall = [&](const Influence& one) { return one.weight < least; };
+  all.erase(std::remove_if(all.begin(), all.end(), isSmall), all.end());
   std::sort(all.begin(), all.end(), isBefore);
   Influences influences{};
   size_t count = 0;
-  while (count < all.size() && count < influences.size() &&
-         (count == 0 || all[count].weight >= kLeast)) {
-    influences[count] = all[count];
-    ++count;
-  }
+  for (; count < all.size() && count < influences.size(); ++count) influences[count] = all[count];
   scaleToOne(influences, count);
   return influences;
 }
@@ -131,7 +132,7 @@ void WeightField::normalise(const std::vector<std::vector<double>>& by_bone) {
   starts_.assign(1, 0);
   for (uint32_t v = 0; v < volume_.vertices.size(); ++v) {
     double sum = 0;
-    for (const auto& weights : by_bone) sum += weights[v];
+    for (const auto& weights : by_bone) sum += weights[v] >= kLeast ? weights[v] : 0;
     uint32_t from = v;
     if (sum < kReached && !handles_.vertices.empty()) {
       if (nearest.empty()) nearest = nearestHandles();
@@ -141,7 +142,7 @@ void WeightField::normalise(const std::vector<std::vector<double>>& by_bone) {
       }
     }
     for (uint32_t bone = 0; sum >= kReached && bone < by_bone.size(); ++bone) {
-      if (by_bone[bone][from] > 0) influences_.push_back({bone, by_bone[bone][from] / sum});
+      if (by_bone[bone][from] >= kLeast) influences_.push_back({bone, by_bone[bone][from] / sum});
     }
     starts_.push_back(static_cast<uint32_t>(influences_.size()));
   }

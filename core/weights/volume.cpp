@@ -238,8 +238,9 @@ Result<Volume> makeVolume(const Mesh& mesh, const VolumeOptions& options) {
   if (!(dot(away, away) < 1e6)) centre = {};
 
   // Not a number is none of both.
-  const double target = options.target_vertices > 8 ? std::min(options.target_vertices, 1e5) : 8;
-  double scale = 1, spacing = 0;
+  const double target = options.target_vertices > 50 ? std::min(options.target_vertices, 1e5) : 50;
+  // Limbs that are thin for the lattice take more; how much is seen when it is there.
+  double scale = 1 + 140 / target, spacing = 0;
   Volume volume;
   for (int attempt = 0; attempt < 3; ++attempt) {
     const double next = std::max({spacingFor(scale * unit->volume, scale * unit->area, target),
