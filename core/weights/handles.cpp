@@ -49,12 +49,21 @@ void collect(const Volume& volume, Segment bone, uint32_t number, std::vector<Ho
   if (!clip(volume, bone)) return;
   const double steps = std::ceil(distance(bone[0], bone[1]) / (kStep * volume.spacing));
   const int count = std::max(1, static_cast<int>(steps));
-  uint32_t last = static_cast<uint32_t>(volume.cells.size());
+  // A bone often lies exactly between cells, in the plane of its part: those of all sides count.
+  const double aside = 1e-6 * volume.spacing;
+  std::vector<uint32_t> cells;
   for (int i = 0; i <= count; ++i) {
-    const auto place = volume.locate(lerp(bone[0], bone[1], static_cast<double>(i) / count));
-    if (!place || place->cell == last) continue;
-    last = place->cell;
-    for (const uint32_t v : volume.cells[last]) {
+    const Vec3 p = lerp(bone[0], bone[1], static_cast<double>(i) / count);
+    for (uint32_t side = 0; side < 8; ++side) {
+      const Vec3 to{side & 1 ? aside : -aside, side & 2 ? aside : -aside,
+                    side & 4 ? aside : -aside};
+      if (const auto place = volume.locate(p + to)) cells.push_back(place->cell);
+    }
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  for (const uint32_t cell : cells) {
+    for (const uint32_t v : volume.cells[cell]) {
       holds.push_back({v, number, distanceTo(whole, volume.vertices[v]) / volume.spacing});
     }
   }

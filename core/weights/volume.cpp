@@ -249,7 +249,7 @@ Result<Volume> makeVolume(const Mesh& mesh, const VolumeOptions& options) {
     spacing = next;
     volume = meshOfCells(voxelise(unit->mesh, spacing, centre));
     const double count = static_cast<double>(volume.vertices.size());
-    if (std::fabs(count / target - 1) <= 0.15) break;
+    if (std::fabs(count / target - 1) <= 0.12) break;
     scale = count / expected(unit->volume, unit->area, spacing);
   }
   if (volume.cells.empty()) return {Status::meshFailed, "The body holds nothing."};

@@ -12,7 +12,7 @@
 namespace marrow {
 
 struct VolumeOptions {
-  double target_vertices = 3000;  // met to about a fifth, where the shape allows
+  double target_vertices = 2900;  // met to about an eighth, where the shape allows
   /// A vertex of the lattice, else the middle of the mesh's box. A point of the plane of symmetry,
   /// where that is along the axes, gives twins the same volume.
   std::optional<Vec3> centre;
