@@ -64,6 +64,15 @@ constexpr double kNothing = 1e-3;  // without bounds most weights waver around 0
 constexpr double kRelease = 1e-6;  // what would rise by less stays at its bound
 constexpr double kOver = 1e-6;     // what a bound is overstepped by without harm
 
+/// Those that are not held, of pieces that are.
+std::vector<uint8_t> looseVertices(const Volume& volume, const Handles& handles) {
+  std::vector<uint8_t> held(volume.piece_count, 0), loose(volume.vertices.size());
+  for (const uint32_t v : handles.vertices) held[volume.pieces[v]] = 1;
+  for (size_t v = 0; v < loose.size(); ++v) loose[v] = held[volume.pieces[v]];
+  for (const uint32_t v : handles.vertices) loose[v] = 0;
+  return loose;
+}
+
 }  // namespace
 
 SymmetricRows biharmonicMatrix(const Volume& volume) {
@@ -108,18 +117,10 @@ BoundedBiharmonic::BoundedBiharmonic(const Volume& volume, const Handles& handle
       handles_(handles),
       options_(options),
       matrix_(biharmonicMatrix(volume)),
-      unbounded_(matrix_, volume.vertices),
-      bounded_(unbounded_),
-      handle_(volume.vertices.size(), 0) {
-  std::vector<uint8_t> held(volume.piece_count, 0);
-  for (const uint32_t v : handles.vertices) {
-    handle_[v] = 1;
-    held[volume.pieces[v]] = 1;
-  }
-  for (uint32_t v = 0; v < matrix_.size(); ++v) {
-    diagonal_.push_back(matrix_.diagonal(v));
-    loose_.push_back(!handle_[v] && held[volume.pieces[v]]);
-  }
+      loose_(looseVertices(volume, handles)),
+      unbounded_(matrix_, loose_),
+      bounded_(unbounded_) {
+  for (uint32_t v = 0; v < matrix_.size(); ++v) diagonal_.push_back(matrix_.diagonal(v));
   ready_ = unbounded_.factor(loose_);
 }
 

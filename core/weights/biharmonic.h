@@ -45,9 +45,8 @@ class BoundedBiharmonic {
   BiharmonicOptions options_;
   SymmetricRows matrix_;
   std::vector<double> diagonal_;
+  std::vector<uint8_t> loose_;  // per vertex: free without bounds
   FrontalCholesky unbounded_, bounded_;
-  std::vector<uint8_t> handle_;  // per vertex: whether it is held
-  std::vector<uint8_t> loose_;   // per vertex: free without bounds
   bool ready_ = false;
   std::vector<uint8_t> piece_of_bone_;  // whether it holds each piece
   std::vector<double> fixed_;           // of the bone: values at the handles, else 0

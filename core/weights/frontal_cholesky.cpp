@@ -1,90 +1,111 @@
 #include "weights/frontal_cholesky.h"
 
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
-
-#include "base/box.h"
 
 namespace marrow {
 namespace {
 
 constexpr uint32_t kNone = 0xffffffff;
-constexpr uint32_t kLeaf = 24;  // unknowns that are not worth dissecting
-
-/// Halves of the box where it is longest, and between them what of the larger half touches the
-/// other; reports the ranges of the order, children before their parents.
-class Dissection {
- public:
-  Dissection(const SymmetricRows& matrix, const std::vector<Vec3>& points)
-      : matrix_(matrix), points_(points), order_(points.size()), side_(points.size(), 0) {
-    for (uint32_t i = 0; i < order_.size(); ++i) order_[i] = i;
+/// The unknowns in an order of little fill, by minimum degree [Amestoy, Davis & Duff 1996].
+std::vector<uint32_t> minimumDegree(const SymmetricRows& matrix,
+                                    const std::vector<uint8_t>& chosen) {
+  std::vector<uint32_t> unknowns;
+  std::vector<int> number(matrix.size(), -1);
+  for (uint32_t v = 0; v < matrix.size(); ++v) {
+    if (!chosen[v]) continue;
+    number[v] = static_cast<int>(unknowns.size());
+    unknowns.push_back(v);
   }
-
-  template <typename Report>  // (begin, end) → its number
-  std::vector<uint32_t> run(Report&& report) {
-    divide(0, static_cast<uint32_t>(order_.size()), report);
-    return std::move(order_);
-  }
-
- private:
-  template <typename Report>
-  std::vector<uint32_t> divide(uint32_t begin, uint32_t end, Report& report) {
-    if (begin == end) return {};
-    uint32_t middle = end, separator = end;
-    if (end - begin > kLeaf) cut(begin, end, middle, separator);
-    if (separator == end && middle == end) return {report(begin, end, std::vector<uint32_t>{})};
-    std::vector<uint32_t> children = divide(begin, middle, report);
-    for (const uint32_t child : divide(middle, separator, report)) children.push_back(child);
-    if (separator == end) return children;  // two halves that do not touch
-    return {report(separator, end, children)};
-  }
-
-  void cut(uint32_t begin, uint32_t end, uint32_t& middle, uint32_t& separator) {
-    const auto first = order_.begin() + begin, last = order_.begin() + end;
-    Box3 box;
-    for (auto v = first; v != last; ++v) box.include(points_[*v]);
-    const Vec3 size = box.high - box.low;
-    double Vec3::*axis = &Vec3::x;
-    if (size.y > size.*axis) axis = &Vec3::y;
-    if (size.z > size.*axis) axis = &Vec3::z;
-    // At the median, but not through points that lie in one plane.
-    scratch_.assign(first, last);
-    const auto median = scratch_.begin() + (end - begin) / 2;
-    std::nth_element(scratch_.begin(), median, scratch_.end(),
-                     [&](uint32_t a, uint32_t b) { return points_[a].*axis < points_[b].*axis; });
-    const double at = points_[*median].*axis;
-    const bool lowest = at == box.low.*axis;  // more than half of them: between them and the others
-    const uint32_t low = ++mark_, high = ++mark_;
-    uint32_t low_count = 0;
-    for (auto v = first; v != last; ++v) {
-      const bool is_low = lowest ? points_[*v].*axis <= at : points_[*v].*axis < at;
-      side_[*v] = is_low ? low : high;
-      low_count += is_low;
+  const int count = static_cast<int>(unknowns.size());
+  Eigen::SparseMatrix<double> pattern(count, count);
+  for (int j = 0; j < count; ++j) {
+    const uint32_t v = unknowns[static_cast<size_t>(j)];
+    pattern.startVec(j);
+    for (uint32_t i = matrix.starts[v]; i < matrix.starts[v + 1]; ++i) {
+      const int row = number[matrix.columns[i]];
+      if (row >= 0) pattern.insertBack(row, j) = 1;
     }
-    if (low_count == end - begin) return;
-    const bool from_low = low_count > end - begin - low_count;
-    const uint32_t other = from_low ? high : low;
-    const auto touches = [&](uint32_t v) {
-      for (uint32_t i = matrix_.starts[v]; i < matrix_.starts[v + 1]; ++i) {
-        if (side_[matrix_.columns[i]] == other) return true;
-      }
-      return false;
-    };
-    scratch_.assign(first, last);
-    const auto kept = std::stable_partition(scratch_.begin(), scratch_.end(),
-                                            [&](uint32_t v) { return side_[v] == other; });
-    const auto rest =
-        std::stable_partition(kept, scratch_.end(), [&](uint32_t v) { return !touches(v); });
-    std::copy(scratch_.begin(), scratch_.end(), first);
-    middle = begin + static_cast<uint32_t>(kept - scratch_.begin());
-    separator = begin + static_cast<uint32_t>(rest - scratch_.begin());
   }
+  pattern.finalize();
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order(count);
+  if (count > 0) Eigen::AMDOrdering<int>()(pattern, order);
+  std::vector<uint32_t> ordered(unknowns.size());
+  for (int i = 0; i < count; ++i) {
+    ordered[static_cast<size_t>(i)] = unknowns[static_cast<size_t>(order.indices()[i])];
+  }
+  return ordered;
+}
 
-  const SymmetricRows& matrix_;
-  const std::vector<Vec3>& points_;
-  std::vector<uint32_t> order_, side_, scratch_;
-  uint32_t mark_ = 0;
-};
+/// Who is eliminated next of those that an unknown acts on: its parent in the elimination tree
+/// [Liu 1990]; kNone: nobody. By place in the order.
+std::vector<uint32_t> eliminationTree(const SymmetricRows& matrix,
+                                      const std::vector<uint32_t>& order,
+                                      const std::vector<uint32_t>& place) {
+  const uint32_t count = static_cast<uint32_t>(order.size());
+  std::vector<uint32_t> parents(count, kNone), tops(count, kNone);
+  for (uint32_t k = 0; k < count; ++k) {
+    for (uint32_t i = matrix.starts[order[k]]; i < matrix.starts[order[k] + 1]; ++i) {
+      uint32_t below = place[matrix.columns[i]];
+      while (below != kNone && below < k) {
+        const uint32_t next = tops[below];
+        tops[below] = k;
+        if (next == kNone) parents[below] = k;
+        below = next;
+      }
+    }
+  }
+  return parents;
+}
+
+/// Children right before their parents: the place each place gets.
+std::vector<uint32_t> postorder(const std::vector<uint32_t>& parents) {
+  const uint32_t count = static_cast<uint32_t>(parents.size());
+  std::vector<uint32_t> first(count + 1, kNone), next(count, kNone);  // children; [count]: roots
+  for (uint32_t k = count; k-- > 0;) {
+    uint32_t& head = first[parents[k] == kNone ? count : parents[k]];
+    next[k] = head;
+    head = k;
+  }
+  std::vector<uint32_t> places(count), path;
+  uint32_t number = 0;
+  for (uint32_t root = first[count]; root != kNone; root = next[root]) {
+    path.push_back(root);
+    while (!path.empty()) {
+      const uint32_t top = path.back(), child = first[top];
+      if (child != kNone) {
+        first[top] = next[child];
+        path.push_back(child);
+      } else {
+        places[top] = number++;
+        path.pop_back();
+      }
+    }
+  }
+  return places;
+}
+
+/// How many each one acts on when it is eliminated, itself left out.
+std::vector<uint32_t> columnCounts(const SymmetricRows& matrix, const std::vector<uint32_t>& order,
+                                   const std::vector<uint32_t>& place,
+                                   const std::vector<uint32_t>& parents) {
+  const uint32_t count = static_cast<uint32_t>(order.size());
+  std::vector<uint32_t> counts(count, 0), seen(count, kNone);
+  for (uint32_t k = 0; k < count; ++k) {
+    seen[k] = k;
+    for (uint32_t i = matrix.starts[order[k]]; i < matrix.starts[order[k] + 1]; ++i) {
+      uint32_t below = place[matrix.columns[i]];
+      if (below == kNone || below > k) continue;
+      for (; seen[below] != k; below = parents[below]) {
+        seen[below] = k;
+        ++counts[below];
+      }
+    }
+  }
+  return counts;
+}
 
 constexpr size_t kTile = 4;
 
@@ -120,16 +141,47 @@ double SymmetricRows::diagonal(uint32_t row) const {
   return found != end && *found == row ? values[static_cast<size_t>(found - columns.begin())] : 0;
 }
 
-FrontalCholesky::FrontalCholesky(const SymmetricRows& matrix, const std::vector<Vec3>& points)
-    : matrix_(matrix), place_(points.size()), local_(points.size(), 0) {
-  order_ = Dissection(matrix, points)
-               .run([&](uint32_t begin, uint32_t end, const std::vector<uint32_t>& children) {
-                 const uint32_t number = static_cast<uint32_t>(nodes_.size());
-                 for (const uint32_t child : children) nodes_[child].parent = number;
-                 nodes_.push_back({begin, end, kNone});
-                 return number;
-               });
-  for (uint32_t i = 0; i < order_.size(); ++i) place_[order_[i]] = i;
+FrontalCholesky::FrontalCholesky(const SymmetricRows& matrix, const std::vector<uint8_t>& chosen)
+    : matrix_(matrix), order_(minimumDegree(matrix, chosen)), place_(matrix.size(), kNone) {
+  const uint32_t count = static_cast<uint32_t>(order_.size());
+  local_.assign(count, 0);
+  const auto findPlaces = [&] {
+    for (uint32_t i = 0; i < count; ++i) place_[order_[i]] = i;
+  };
+  findPlaces();
+  const std::vector<uint32_t> before = eliminationTree(matrix, order_, place_);
+  const std::vector<uint32_t> places = postorder(before);
+  const std::vector<uint32_t> old_order = order_;
+  std::vector<uint32_t> parents(count, kNone);
+  for (uint32_t i = 0; i < count; ++i) {
+    order_[places[i]] = old_order[i];
+    if (before[i] != kNone) parents[places[i]] = places[before[i]];
+  }
+  findPlaces();
+  const std::vector<uint32_t> counts = columnCounts(matrix, order_, place_, parents);
+
+  // One node goes on as long as little is filled in by eliminating the next one with it.
+  constexpr double kFilled = 0.2;
+  std::vector<uint32_t> node_of(count);
+  double filled = 0;
+  for (uint32_t k = 0; k < count; ++k) {
+    bool goes_on = k > 0 && parents[k - 1] == k;
+    if (goes_on) {
+      const double width = k - nodes_.back().begin, rows = counts[k] + 1;
+      const double more = filled + width * (rows - counts[k - 1]);
+      goes_on = more <= kFilled * (width + 1) * rows;
+      if (goes_on) filled = more;
+    }
+    if (!goes_on) {
+      nodes_.push_back({k, k, kNone});
+      filled = 0;
+    }
+    nodes_.back().end = k + 1;
+    node_of[k] = static_cast<uint32_t>(nodes_.size()) - 1;
+  }
+  for (Node& node : nodes_) {
+    if (parents[node.end - 1] != kNone) node.parent = node_of[parents[node.end - 1]];
+  }
   fronts_.resize(nodes_.size());
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <set>
 
+#include "base/vec.h"
 #include "support/catch.h"
 #include "support/random.h"
 
@@ -77,7 +78,7 @@ TEST_CASE("frontal cholesky: solves what Eigen solves, for any choice of unknown
     for (const int n : {1, 2, 7, 30, 150, 400}) {
       const double reach = shape.x == 0 ? 1 : shape.x * shape.y * shape.z > 0 ? 2.5 : 1;
       const System system = randomSystem(random, n, shape, reach);
-      FrontalCholesky cholesky(system.rows, system.points);
+      FrontalCholesky cholesky(system.rows, std::vector<uint8_t>(system.points.size(), 1));
       for (const double often : {1.0, 0.6, 0.1, 0.0, 0.9}) {
         std::vector<uint8_t> free(static_cast<size_t>(n));
         for (auto& one : free) one = random.unit() < often;
@@ -90,7 +91,8 @@ TEST_CASE("frontal cholesky: solves what Eigen solves, for any choice of unknown
 TEST_CASE("frontal cholesky: a copy works on its own") {
   Random random(12);
   const System system = randomSystem(random, 200, {10, 10, 10}, 2.5);
-  FrontalCholesky one(system.rows, system.points), other(one);
+  const std::vector<uint8_t> all(200, 1);
+  FrontalCholesky one(system.rows, all), other(one);
   std::vector<uint8_t> free(200, 1);
   REQUIRE(one.factor(free));
   std::fill(free.begin(), free.begin() + 100, uint8_t{0});
@@ -110,8 +112,8 @@ TEST_CASE("frontal cholesky: what is not positive definite is refused, and the n
     if (system.rows.columns[i] == bad) system.rows.values[i] = -1;
   }
   CHECK(system.rows.diagonal(bad) == -1);
-  FrontalCholesky cholesky(system.rows, system.points);
   std::vector<uint8_t> free(120, 1);
+  FrontalCholesky cholesky(system.rows, free);
   CHECK(!cholesky.factor(free));
   free[bad] = 0;
   checkSolution(system, cholesky, free, random);
