@@ -64,6 +64,11 @@ Result<Arguments> parseArguments(const std::vector<std::string>& words, const Op
     const size_t equals = word.find('=');
     const std::string option = word.substr(0, equals);
     std::string value;
+    if (std::count(options.switches.begin(), options.switches.end(), option)) {
+      if (equals != std::string::npos) return fault(option + " takes no value");
+      arguments.switches.insert(option);
+      continue;
+    }
     if (equals != std::string::npos) {
       value = word.substr(equals + 1);
     } else if (i + 1 < words.size() && !isOption(words[i + 1])) {
@@ -72,6 +77,11 @@ Result<Arguments> parseArguments(const std::vector<std::string>& words, const Op
     if (std::count(options.paths.begin(), options.paths.end(), option)) {
       if (value.empty()) return fault(option + " needs a file name");
       arguments.paths[option] = value;
+      continue;
+    }
+    if (std::count(options.texts.begin(), options.texts.end(), option)) {
+      if (value.empty()) return fault(option + " needs a name");
+      arguments.texts[option] = value;
       continue;
     }
     const auto range = options.numbers.find(option);

@@ -1,8 +1,9 @@
-// The words of a command line: one path, and options with a value.
+// The words of a command line: one path, options with a value, and switches without one.
 #pragma once
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,13 +21,18 @@ struct Options {
   std::string input;  // what the path is: "stroke"
   std::vector<std::string> paths;
   std::map<std::string, Range> numbers;
+  std::vector<std::string> texts = {};
+  std::vector<std::string> switches = {};
 };
 
 struct Arguments {
   std::string path;
   std::map<std::string, std::string> paths;
   std::map<std::string, double> numbers;
+  std::map<std::string, std::string> texts;
+  std::set<std::string> switches;
 
+  bool has(const std::string& option) const { return switches.count(option) > 0; }
   const std::string* findPath(const std::string& option) const {
     const auto found = paths.find(option);
     return found == paths.end() ? nullptr : &found->second;

@@ -13,6 +13,7 @@ constexpr size_t kLargestFile = 64u << 20;  // bytes
 /// `words`: what follows the command's name.
 int runPart(const std::vector<std::string>& words);
 int runRig(const std::vector<std::string>& words);
+int runPose(const std::vector<std::string>& words);
 
 /// One line on stderr, whatever control characters a file's name holds. Returns kRefused.
 int refuse(const std::string& fault);

@@ -36,6 +36,18 @@ constexpr char kUsage[] =
     "  --json OUT      joints, bones, connections, roots, timings\n"
     "  --obj OUT       the visible parts' meshes where they are in space, and the bones as lines\n"
     "  --svg OUT       a picture from three sides\n"
+    "  --glb OUT       the skinned model for Blender, three.js and game engines, with its poses;\n"
+    "                  the drawing lies in it, to be opened again. With it, or one of the two\n"
+    "                  below, the JSON also tells of the merged body and of the weights\n"
+    "  --merge         one watertight body around all parts (the default)\n"
+    "  --parts         each part a mesh of its own\n"
+    "  --no-weights    the meshes follow no bone\n"
+    "\n"
+    "       marrow pose DOCUMENT.json [--pose NAME] [options]\n"
+    "Gives the watertight body in one of the document's poses, or at rest.\n"
+    "\n"
+    "  --dual          skinned by dual quaternions, not linearly\n"
+    "  --obj OUT, --stl OUT, --ply OUT   the mesh; STL and PLY are binary\n"
     "\n"
     "  --help          this text\n"
     "\n"
@@ -56,6 +68,7 @@ int run(const std::vector<std::string>& words) {
   const std::vector<std::string> rest(words.begin() + 1, words.end());
   if (words[0] == "part") return runPart(rest);
   if (words[0] == "rig") return runRig(rest);
+  if (words[0] == "pose") return runPose(rest);
   return refuse("unknown command " + words[0] + " (marrow --help tells more)");
 }
 

@@ -8,7 +8,10 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "document/evaluation.h"
+#include "document/symmetry.h"
 #include "io/document_json.h"
+#include "io/export_text.h"
+#include "io/glb.h"
 #include "io/rig_export.h"
 
 namespace marrow {
@@ -16,11 +19,13 @@ namespace {
 
 constexpr Range kThreshold = {0, Refinement::kLargest};
 const Options kOptions = {"document",
-                          {"--json", "--obj", "--svg"},
+                          {"--json", "--obj", "--svg", "--glb"},
                           {{"--eps-s", kThreshold},
                            {"--eps-m", kThreshold},
                            {"--eps-t", kThreshold},
-                           {"--eps-c", kThreshold}}};
+                           {"--eps-c", kThreshold}},
+                          {},
+                          {"--merge", "--parts", "--no-weights"}};
 constexpr struct {
   const char* option;
   std::optional<double> Refinement::*threshold;
@@ -45,6 +50,9 @@ std::string printable(std::string words) {
   }
   return words;
 }
+
+/// A file's name without its ending.
+std::string stem(const std::string& name) { return name.substr(0, name.find_last_of('.')); }
 
 /// "Leg (part-3)"
 std::string partName(const Evaluation& character, uint32_t part) {
@@ -120,10 +128,25 @@ int runRig(const std::vector<std::string>& words) {
   character.update(*document);
   if (!isFinite(character.rig())) return refuse(path + ": " + toSentence(Status::meshFailed));
 
+  const bool merge = arguments->has("--merge"), parts = arguments->has("--parts");
+  if (merge && parts) return refuse("--merge or --parts, not both (marrow --help tells more)");
+  const auto* glb = arguments->findPath("--glb");
   std::vector<OutputFile> files;
-  if (const auto* out = arguments->findPath("--json")) {
-    files.push_back({*out, rigToJson(character)});
+  Json tree = rigToTree(character);
+  if (glb || merge || parts) {
+    CharacterOptions options;
+    options.merged = !parts;
+    options.weights = !arguments->has("--no-weights");
+    options.symmetry = symmetryPlane(*document);
+    const Character made = makeCharacter(character, options, milliseconds);
+    addCharacter(tree, made);
+    if (glb) {
+      const auto bytes = toGlb(glbOf(made, character.rig(), *document, stem(fileName(path))));
+      if (!bytes) return refuse(path + ": " + bytes.message());
+      files.push_back({*glb, *bytes});
+    }
   }
+  if (const auto* out = arguments->findPath("--json")) files.push_back({*out, toLines(tree)});
   if (const auto* out = arguments->findPath("--obj")) files.push_back({*out, rigToObj(character)});
   if (const auto* out = arguments->findPath("--svg")) {
     files.push_back({*out, rigToSvg(fileName(path), character)});

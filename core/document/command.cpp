@@ -444,6 +444,61 @@ Result<Document> applyTo(const Document& document, const SetReference& command) 
   return next;
 }
 
+std::vector<std::shared_ptr<const NamedPose>>::iterator findPose(Document& document,
+                                                                 const std::string& name) {
+  return std::find_if(document.poses.begin(), document.poses.end(),
+                      [&](const auto& pose) { return pose->name == name; });
+}
+
+Error noPose(const std::string& name) {
+  return {Status::notFound, "There is no pose \"" + onOneLine(name) + "\"."};
+}
+
+Result<Document> applyTo(const Document& document, const SetPose& command) {
+  if (command.name.empty()) return {Status::notFound, "A pose needs a name."};
+  NamedPose pose;
+  pose.name = toUtf8(command.name);
+  if (command.joints.size() > NamedPose::kMostJoints) return Status::tooMany;
+  for (const auto& [joint, motion] : command.joints) {
+    const auto unit = withUnitRotation(motion);
+    if (!unit) return {Status::noArea, "This is no pose: a joint's motion is out of range."};
+    pose.joints[toUtf8(joint)] = *unit;
+  }
+  Document next = document;
+  const auto place = findPose(next, pose.name);
+  if (place == next.poses.end()) {
+    if (next.poses.size() >= Document::kMostPoses) return Status::tooMany;
+    next.poses.push_back(std::make_shared<const NamedPose>(std::move(pose)));
+  } else if ((*place)->joints != pose.joints) {
+    pose.extra = (*place)->extra;
+    *place = std::make_shared<const NamedPose>(std::move(pose));
+  }
+  return next;
+}
+
+Result<Document> applyTo(const Document& document, const RenamePose& command) {
+  Document next = document;
+  const auto place = findPose(next, command.name);
+  if (place == next.poses.end()) return noPose(command.name);
+  const std::string to = toUtf8(command.to);
+  if (to.empty() || to == command.name) return next;
+  if (next.findPose(to)) {
+    return {Status::notFound, "There is a pose \"" + onOneLine(to) + "\" already."};
+  }
+  NamedPose pose = **place;
+  pose.name = to;
+  *place = std::make_shared<const NamedPose>(std::move(pose));
+  return next;
+}
+
+Result<Document> applyTo(const Document& document, const DeletePose& command) {
+  Document next = document;
+  const auto place = findPose(next, command.name);
+  if (place == next.poses.end()) return noPose(command.name);
+  next.poses.erase(place);
+  return next;
+}
+
 Result<Document> applyTo(const Document&, const ReplaceDocument& command) {
   return command.document;
 }

@@ -107,6 +107,20 @@ struct SetRoot {
 struct SetReference {
   Reference reference;
 };
+/// A pose of this name, in place of the one that has it or after all others. Errors: notFound for
+/// an empty name, noArea for a rotation or a move that is none, tooMany.
+struct SetPose {
+  std::string name;
+  Pose joints;
+};
+/// An empty name changes nothing; bytes that are not UTF-8 are replaced. Errors: notFound, also for
+/// a name that another pose has.
+struct RenamePose {
+  std::string name, to;
+};
+struct DeletePose {
+  std::string name;
+};
 struct ReplaceDocument {  // open, new
   Document document;
   std::string name;  // of the step: "Open", "New drawing"
@@ -115,10 +129,11 @@ struct ReplaceDocument {  // open, new
 /// Any one of the above. A type of its own rather than a variant, so that `apply` never means
 /// std::apply.
 struct Command {
-  using Step = std::variant<AddPart, DeleteParts, DuplicateParts, TransformParts, SetThickness,
-                            SetColor, SetVisible, SetLocked, SetSkeleton, RenamePart, SetStroke,
-                            SetMirror, SeparateTwins, SetSymmetry, SetRefinement, ResetRefinement,
-                            SetAttachment, SetRoot, SetReference, ReplaceDocument>;
+  using Step =
+      std::variant<AddPart, DeleteParts, DuplicateParts, TransformParts, SetThickness, SetColor,
+                   SetVisible, SetLocked, SetSkeleton, RenamePart, SetStroke, SetMirror,
+                   SeparateTwins, SetSymmetry, SetRefinement, ResetRefinement, SetAttachment,
+                   SetRoot, SetReference, SetPose, RenamePose, DeletePose, ReplaceDocument>;
   template <typename One, typename = std::enable_if_t<std::is_constructible_v<Step, One>>>
   Command(One one) : step(std::move(one)) {}
 

@@ -102,6 +102,15 @@ std::string describeIn(const Document& before, const SetReference& command) {
   const bool there = std::any_of(before.references.begin(), before.references.end(), same_view);
   return there ? "Change picture" : "Add picture";
 }
+std::string describeIn(const Document& before, const SetPose& command) {
+  return (before.findPose(command.name) ? "Change pose " : "Add pose ") + onOneLine(command.name);
+}
+std::string describeIn(const Document&, const RenamePose& command) {
+  return "Rename pose " + onOneLine(command.name);
+}
+std::string describeIn(const Document&, const DeletePose& command) {
+  return "Delete pose " + onOneLine(command.name);
+}
 std::string describeIn(const Document&, const ReplaceDocument& command) { return command.name; }
 
 }  // namespace

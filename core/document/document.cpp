@@ -68,6 +68,23 @@ std::optional<size_t> Document::find(const std::string& id) const {
   return std::nullopt;
 }
 
+const NamedPose* Document::findPose(const std::string& name) const {
+  for (const auto& pose : poses) {
+    if (pose->name == name) return pose.get();
+  }
+  return nullptr;
+}
+
+std::optional<JointMotion> withUnitRotation(const JointMotion& motion) {
+  const double squared = dot(motion.rotation, motion.rotation);
+  if (!isDrawable(motion.move) || !(squared > 0) || !std::isfinite(squared)) return std::nullopt;
+  constexpr double kRounding = 1e-14;
+  if (std::fabs(squared - 1) <= kRounding) return motion;
+  const JointMotion unit{normalised(motion.rotation), motion.move};
+  const bool is_unit = std::fabs(dot(unit.rotation, unit.rotation) - 1) <= kRounding;
+  return is_unit ? std::optional<JointMotion>(unit) : std::nullopt;
+}
+
 uint64_t partNumber(const std::string& id) {
   if (id.compare(0, kPrefixLength, kIdPrefix) != 0) return 0;
   if (id.size() == kPrefixLength || id.size() > kPrefixLength + kMostDigits) return 0;

@@ -12,6 +12,7 @@
 #include "base/frame.h"
 #include "base/result.h"
 #include "base/vec.h"
+#include "document/pose.h"
 #include "document/refinement.h"
 
 namespace marrow {
@@ -84,11 +85,13 @@ struct Reference {
 struct Document {
   static constexpr int kVersion = 1;
   static constexpr size_t kMostParts = 10'000;
+  static constexpr size_t kMostPoses = 1'000;
 
   std::vector<std::shared_ptr<const PartSource>> parts;  // in modelling order, never null
   Refinement refine;                                     // of the whole model; unset: the defaults
   std::optional<Plane> symmetry;  // the character's symmetry plane, if the user gave one
   std::vector<std::shared_ptr<const Reference>> references;  // at most one per view, never null
+  std::vector<std::shared_ptr<const NamedPose>> poses;       // in the user's order, never null
   uint64_t last_part = 0;    // largest n for which an id "part-n" was ever given
   std::string extra = "{}";  // as above
   uint64_t drawing = 0;      // the app's number for what was opened or begun; not saved, so that
@@ -96,6 +99,8 @@ struct Document {
 
   /// Index of the part with this id, or nothing.
   std::optional<size_t> find(const std::string& id) const;
+  /// The pose of this name, or null.
+  const NamedPose* findPose(const std::string& name) const;
 };
 
 /// Behind it the numbers that are free begin again.

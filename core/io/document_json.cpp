@@ -9,6 +9,7 @@
 #include "io/json.h"
 #include "io/object_reader.h"
 #include "io/part_json.h"
+#include "io/pose_json.h"
 
 namespace marrow {
 namespace {
@@ -117,6 +118,18 @@ void readReferences(ObjectReader& reader, Document& document, Fault& fault) {
   }
 }
 
+void readPoses(ObjectReader& reader, Document& document, Fault& fault) {
+  std::set<std::string> names;
+  for (const Json* tree : readList(reader, "poses", fault)) {
+    const std::string where = place("poses", document.poses.size());
+    if (document.poses.size() == Document::kMostPoses) fault.say("poses are more than 1,000.");
+    NamedPose pose = readPose(*tree, where, fault);
+    if (!names.insert(pose.name).second) fault.say(where + ".name is used twice.");
+    if (fault.error()) return;
+    document.poses.push_back(std::make_shared<const NamedPose>(std::move(pose)));
+  }
+}
+
 /// Ids, names and colours of parts that came without.
 void nameParts(std::vector<ReadPart>& read, const std::set<std::string>& ids, Document& document) {
   for (const ReadPart& one : read) {
@@ -179,6 +192,10 @@ std::string writeDocument(const Document& document) {
     Json& references = tree["references"] = Json::array();
     for (const auto& one : document.references) references.push_back(referenceToTree(*one));
   }
+  if (!document.poses.empty()) {
+    Json& poses = tree["poses"] = Json::array();
+    for (const auto& one : document.poses) poses.push_back(poseToTree(*one));
+  }
   if (document.last_part > largestPartNumber(document)) tree["lastPart"] = document.last_part;
   appendFields(tree, extra);
   return toText(tree);
@@ -204,6 +221,7 @@ Result<Document> readDocument(const std::string& text) {
   }
   document.symmetry = reader.plane("symmetry");
   readReferences(reader, document, fault);
+  readPoses(reader, document, fault);
   document.extra = toText(reader.rest());
   if (fault.error()) return *fault.error();
   return document;

@@ -25,6 +25,7 @@ Result<Json> parseJson(const std::string& text);
 /// Whole numbers are written without a fraction; reading gives the same bits.
 Json toJson(double value);
 Json toJson(Vec2 point);
+Json toJson(Vec3 v);
 Json toJson(const std::vector<Vec2>& points);
 
 /// Compact text; bytes that are not UTF-8 are replaced.

@@ -82,6 +82,11 @@ Vec3 ObjectReader::vector(const std::string& key, Vec3 missing) {
   return list.empty() ? missing : Vec3{list[0], list[1], list[2]};
 }
 
+Quaternion ObjectReader::rotation(const std::string& key) {
+  const auto list = numbers(key, 4);
+  return list.empty() ? Quaternion{} : Quaternion{list[0], list[1], list[2], list[3]};
+}
+
 const Json* ObjectReader::object(const std::string& key, bool may_be_null) {
   const Json* found = value(key);
   if (!found || (may_be_null && found->is_null())) return nullptr;

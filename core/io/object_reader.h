@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/frame.h"
+#include "base/quaternion.h"
 #include "base/text.h"
 #include "io/json.h"
 
@@ -40,6 +41,8 @@ class ObjectReader {
   /// Coordinates, none beyond the largest.
   Vec2 point(const std::string& key);
   Vec3 vector(const std::string& key, Vec3 missing);
+  /// Four numbers as they are.
+  Quaternion rotation(const std::string& key);
   /// The value as it is, or null.
   const Json* value(const std::string& key);
   /// An object; null where it is missing, or JSON's null and that is allowed.

@@ -15,10 +15,6 @@ constexpr struct {
                    {"prune", &Refinement::prune},
                    {"collapse", &Refinement::collapse}};
 
-Json toJson(Vec3 v) {
-  return Json::array({marrow::toJson(v.x), marrow::toJson(v.y), marrow::toJson(v.z)});
-}
-
 Json withExtra(Json object, const Json& extra) {
   appendFields(object, extra);
   return object;

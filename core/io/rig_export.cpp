@@ -8,6 +8,7 @@
 
 #include "io/export_text.h"
 #include "rig/names.h"
+#include "solid/quality.h"
 
 namespace marrow {
 namespace {
@@ -15,13 +16,12 @@ namespace {
 Json jointsTree(const Rig& rig, const std::vector<PlacedPart>& placed) {
   Json joints = Json::array();
   for (const Rig::Joint& joint : rig.joints) {
-    const Vec3 p = joint.position;
     Json one = Json::object();
     one["id"] = joint.id;
     one["name"] = joint.name;
     one["part"] = placed[joint.part].id;
     one["parent"] = joint.parent < 0 ? Json() : Json(rig.joints[joint.parent].id);
-    one["position"] = Json::array({toJson(p.x), toJson(p.y), toJson(p.z)});
+    one["position"] = toJson(joint.position);
     one["radius"] = toJson(joint.radius);
     one["kind"] = toString(joint.kind);
     joints.push_back(std::move(one));
@@ -121,6 +121,37 @@ Json rigToTree(const Evaluation& character) {
   tree["errors"] = errorsTree(character);
   tree["timings"] = rigTimings(character.timings());
   return tree;
+}
+
+void addCharacter(Json& tree, const Character& made) {
+  const SolidReport report = inspectSolid(made.merged.mesh);
+  Json& merged = tree["merged"] = Json::object();
+  merged["vertices"] = made.merged.mesh.positions.size();
+  merged["triangles"] = made.merged.mesh.triangles.size();
+  merged["closed"] = report.closed;
+  merged["manifold"] = report.manifold;
+  merged["selfIntersections"] = report.self_intersections;
+  merged["volume"] = toJson(report.volume);
+  merged["components"] = report.components;
+  merged["genus"] = report.genus;
+  for (const Character::LeftOut& out : made.left_out) {
+    Json one = Json::object();
+    one["part"] = out.part;
+    one["why"] = out.why;
+    tree["leftOut"].push_back(std::move(one));
+  }
+  if (made.weights) {
+    Json& weights = tree["weights"] = Json::object();
+    weights["bones"] = made.weights->bones;
+    weights["maxSumError"] = toJson(made.weights->max_sum_error);
+    weights["min"] = toJson(made.weights->min);
+    weights["max"] = toJson(made.weights->max);
+  }
+  Json& timings = tree["timings"];
+  const double before = timings["total"].get<double>();
+  timings.erase("total");
+  for (const auto& [stage, ms] : made.timings.stages_ms) timings[stage] = toJson(ms);
+  timings["total"] = toJson(before + made.timings.total_ms);
 }
 
 std::string rigToJson(const Evaluation& character) { return toLines(rigToTree(character)); }

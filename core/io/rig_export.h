@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "character/character.h"
 #include "document/evaluation.h"
 #include "io/json.h"
 
@@ -24,6 +25,11 @@ namespace marrow {
 Json rigToTree(const Evaluation& character);
 /// The same as text, each field on a line of its own.
 std::string rigToJson(const Evaluation& character);
+
+/// Adds "merged": {"vertices", "triangles", "closed", "manifold", "selfIntersections", "volume"},
+/// "leftOut": [{"part", "why"}…], where there are any, "weights": {"bones", "maxSumError", "min",
+/// "max"}, where they were asked for, and the stages' times.
+void addCharacter(Json& tree, const Character& made);
 
 /// Placed parts at which a tree of its own begins, though the most parts are in another one.
 std::vector<uint32_t> unattachedParts(const Evaluation& character);

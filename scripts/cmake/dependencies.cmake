@@ -20,19 +20,21 @@ marrow_find_header(MARROW_EIGEN_INCLUDE_DIR Eigen/Core "Eigen" libeigen3-dev eig
 marrow_find_header(MARROW_CGAL_INCLUDE_DIR CGAL/Straight_skeleton_2.h "CGAL" libcgal-dev)
 marrow_find_header(MARROW_BOOST_INCLUDE_DIR boost/config.hpp "Boost" libboost-dev)
 marrow_find_header(MARROW_JSON_INCLUDE_DIR nlohmann/json.hpp "nlohmann/json" nlohmann-json3-dev)
+marrow_find_header(MARROW_TINYGLTF_INCLUDE_DIR tiny_gltf.h "tinygltf" libtinygltf-dev)
 
 # marrow_link_headers(FOLDER): a folder with links to just the libraries, because /usr/include on
 # em++'s path would shadow the sysroot's C library.
 function(marrow_link_headers folder)
   file(MAKE_DIRECTORY "${folder}")
   foreach(entry IN ITEMS "${MARROW_EIGEN_INCLUDE_DIR}/Eigen" "${MARROW_CGAL_INCLUDE_DIR}/CGAL"
-                         "${MARROW_BOOST_INCLUDE_DIR}/boost" "${MARROW_JSON_INCLUDE_DIR}/nlohmann")
+                         "${MARROW_BOOST_INCLUDE_DIR}/boost" "${MARROW_JSON_INCLUDE_DIR}/nlohmann"
+                         "${MARROW_TINYGLTF_INCLUDE_DIR}/tiny_gltf.h")
     get_filename_component(name "${entry}" NAME)
     file(CREATE_LINK "${entry}" "${folder}/${name}" SYMBOLIC)
   endforeach()
 endfunction()
 
-add_library(marrow_headers INTERFACE)  # Eigen and nlohmann/json
+add_library(marrow_headers INTERFACE)  # Eigen, nlohmann/json and tinygltf
 add_library(marrow_cgal_headers INTERFACE)  # CGAL and Boost, with the flags they need
 if(EMSCRIPTEN)
   marrow_link_headers("${CMAKE_BINARY_DIR}/include")
@@ -40,7 +42,7 @@ if(EMSCRIPTEN)
   target_include_directories(marrow_cgal_headers SYSTEM INTERFACE "${CMAKE_BINARY_DIR}/include")
 else()
   target_include_directories(marrow_headers SYSTEM INTERFACE "${MARROW_EIGEN_INCLUDE_DIR}"
-                             "${MARROW_JSON_INCLUDE_DIR}")
+                             "${MARROW_JSON_INCLUDE_DIR}" "${MARROW_TINYGLTF_INCLUDE_DIR}")
   target_include_directories(marrow_cgal_headers SYSTEM INTERFACE "${MARROW_CGAL_INCLUDE_DIR}"
                              "${MARROW_BOOST_INCLUDE_DIR}")
 endif()

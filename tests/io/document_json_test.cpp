@@ -152,6 +152,8 @@ TEST_CASE("document file: fields of later versions are kept where they stand", "
       R"("refine":{"fold":5},"symmetry":{"plane":[1,0,0,0],"b":"c"},)"
       R"("references":[{"view":"top","image":"data:image/webp;base64,AA==","opacity":1,)"
       R"("position":[1,2],"scale":2,"tint":"red"}],)"
+      R"("poses":[{"name":"Sit","joints":{"b":{"rotation":[0,0.6,0,0.8],"move":[1,2,3],"c":{}},)"
+      R"("part-1/n0":{"move":[0.5,0,0]}},"mood":[1]}],)"
       R"("lastPart":7,"view":{"yaw":0.1},"author":"ü"})";
   REQUIRE(writeDocument(must(text)) == text);
 
@@ -261,6 +263,14 @@ TEST_CASE("document file: a fault is said in one sentence that says where", "[do
       {R"({"format": "marrow", "version": 1, "symmetry": 5})", "symmetry is not an object."},
       {R"({"format": "marrow", "version": 1, "refine": {"prune": []}})",
        "refine.prune is not a number."},
+      {R"({"format": "marrow", "version": 1, "poses": [{}]})", "poses[0].name is missing."},
+      {R"({"format": "marrow", "version": 1, "poses": [{"name": "A"}, {"name": "A"}]})",
+       "poses[1].name is used twice."},
+      {R"({"format": "marrow", "version": 1, "poses": [{"name": "A", "joints": {"b": 1}}]})",
+       "poses[0].joints.b is not an object."},
+      {R"({"format": "marrow", "version": 1, "poses": [{"name": "A", "joints": {"b":)"
+       R"({"rotation": [0, 0, 0, 0]}}}]})",
+       "poses[0].joints.b.rotation is no rotation."},
       {R"({"format": "marrow", "version": 1, "references": [3]})",
        "references[0] is not an object."},
       {R"({"format": "marrow", "version": 1, "references": [{"image": "x"}]})",

@@ -53,7 +53,7 @@ class AnyCommand {
   AnyCommand(Numbers& numbers, const Document& document) : numbers_(numbers), document_(document) {}
 
   Command operator()() {
-    switch (numbers_.below(20)) {
+    switch (numbers_.below(23)) {
       case 0:
         return AddPart{stroke(), frame(), chance(3) ? std::optional<Plane>(plane()) : std::nullopt};
       case 1:
@@ -92,6 +92,12 @@ class AnyCommand {
         return SetRoot{id(), ids()};
       case 18:
         return SetReference{reference()};
+      case 19:
+        return SetPose{poseName(), pose()};
+      case 20:
+        return RenamePose{poseName(), poseName()};
+      case 21:
+        return DeletePose{poseName()};
       default:
         return chance(20) ? Command(ReplaceDocument{{}, "New drawing"})
                           : Command(TransformParts{ids(), numbers_.map(), "Turn"});
@@ -141,6 +147,20 @@ class AnyCommand {
   std::optional<Attachment> attachment() {
     if (chance(4)) return std::nullopt;
     return Attachment{chance(4) ? std::string() : id(), point()};
+  }
+  std::string poseName() {
+    const char* names[] = {"Wave", "Walk", "", "Sit\n", "\xff"};
+    return names[numbers_.below(5)];
+  }
+  Pose pose() {
+    Pose pose;
+    for (int count = numbers_.below(4); count > 0; --count) {
+      JointMotion motion{{numbers_.number(), numbers_.number(), numbers_.number(), 1}, {}};
+      if (chance(8)) motion.rotation = {0, 0, 0, 0};
+      if (chance(2)) motion.move = vector();
+      pose[id() + "/n" + std::to_string(numbers_.below(3))] = motion;
+    }
+    return pose;
   }
   Reference reference() {
     const char* images[] = {"data:image/png;base64,AAAA",

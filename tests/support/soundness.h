@@ -65,6 +65,14 @@ inline std::string ruleBrokenBy(const Document& document) {
     }
     if (!isDrawable(reference->position)) return "position";
   }
+  std::set<std::string> names;
+  for (const auto& pose : document.poses) {
+    if (!pose || pose->name.empty() || !names.insert(pose->name).second) return "a pose's name";
+    for (const auto& joint : pose->joints) {
+      const auto unit = withUnitRotation(joint.second);
+      if (!unit || !(*unit == joint.second)) return "a pose's motion";
+    }
+  }
   size_t twins = 0;
   for (const auto& part : document.parts) twins += part->mirror ? 1 : 0;
   if (placedParts(document).size() != document.parts.size() + twins) return "placed parts";

@@ -1,0 +1,64 @@
+// A character ready to be taken away: one body around all parts, or each part by itself, and what
+// each bone moves of it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/timing.h"
+#include "document/evaluation.h"
+#include "pose/skin.h"
+#include "solid/merge.h"
+#include "weights/skin_weights.h"
+
+namespace marrow {
+
+struct Paint {
+  std::string name;  // of the part
+  Color color;
+};
+
+/// At rest, in space. One normal and one skin entry per vertex, or no skin at all: then it follows
+/// no joint. Vertices are doubled where parts meet at an edge, so that each has its own normal.
+struct SkinnedMesh {
+  std::string name;
+  Mesh mesh;
+  std::vector<Vec3> normals;
+  std::vector<VertexSkin> skin;             // joints: indices of the rig's
+  std::vector<uint32_t> paint_of_triangle;  // an index of Character::paints
+};
+
+struct CharacterOptions {
+  bool merged = true;  // else each part is a mesh of its own
+  bool weights = true;
+  std::optional<Plane> symmetry;  // where it lies along the axes, twins get the same weights
+  MergeOptions merge;
+  WeightOptions weighting;
+};
+
+struct Character {
+  struct LeftOut {
+    std::string part;  // id of the placed part
+    std::string why;   // a clause
+  };
+  struct WeightReport {
+    size_t bones = 0;
+    double max_sum_error = 0, min = 0, max = 0;  // over all vertices of all meshes
+  };
+
+  MergedMesh merged;  // without seams doubled; ids are indices of Evaluation::placed
+  std::vector<SkinnedMesh> meshes;
+  std::vector<Paint> paints;  // one per placed part that is shown
+  std::vector<LeftOut> left_out;
+  std::optional<WeightReport> weights;  // where they were asked for
+  Timings timings;                      // stages: merge, weights, vertices
+};
+
+/// Of all visible parts. A joint moves what the bones that leave it hold [RS §4.1]: weights are
+/// those of bounded biharmonic functions on the body's volume, the largest four of each vertex.
+Character makeCharacter(const Evaluation& evaluation, const CharacterOptions& options = {},
+                        Clock clock = nullptr);
+
+}  // namespace marrow

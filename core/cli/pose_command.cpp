@@ -1,0 +1,71 @@
+// marrow pose: a document's file in, its body in one of its poses out.
+#include <cstdio>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "document/symmetry.h"
+#include "io/document_json.h"
+#include "io/mesh_export.h"
+#include "pose/pose.h"
+
+namespace marrow {
+namespace {
+
+const Options kOptions = {"document", {"--obj", "--stl", "--ply"}, {}, {"--pose"}, {"--dual"}};
+
+int printPoses(const std::string& path, const Document& document) {
+  std::printf("%s: %zu poses\n", path.c_str(), document.poses.size());
+  for (const auto& pose : document.poses) std::printf("  %s\n", pose->name.c_str());
+  return std::fflush(stdout) == 0 ? kFine : kRefused;
+}
+
+}  // namespace
+
+int runPose(const std::vector<std::string>& words) {
+  const auto arguments = parseArguments(words, kOptions);
+  if (!arguments) return refuse(arguments.message());
+  const std::string& path = arguments->path;
+  const auto text = readAll(path, kLargestFile);
+  if (!text) return refuse(path + ": " + text.message());
+  const auto document = readDocument(*text);
+  if (!document) return refuse(path + ": " + document.message());
+  const NamedPose* pose = nullptr;
+  if (const auto name = arguments->texts.find("--pose"); name != arguments->texts.end()) {
+    pose = document->findPose(name->second);
+    if (!pose) return refuse(path + ": there is no pose \"" + name->second + "\"");
+  }
+  if (arguments->paths.empty()) return printPoses(path, *document);
+
+  Evaluation evaluation({}, milliseconds);
+  evaluation.update(*document);
+  CharacterOptions options;
+  options.weights = pose != nullptr;
+  options.symmetry = symmetryPlane(*document);
+  Character made = makeCharacter(evaluation, options, milliseconds);
+  SkinnedMesh body = made.meshes.empty() ? SkinnedMesh{} : std::move(made.meshes[0]);
+  if (pose && !body.skin.empty()) {
+    const Skinning how = arguments->has("--dual") ? Skinning::dualQuaternions : Skinning::linear;
+    SkinnedVertices moved;
+    skin(body.mesh.positions, body.normals, body.skin, posed(evaluation.rig(), pose->joints), how,
+         moved);
+    body.mesh.positions = std::move(moved.positions);
+    body.normals = std::move(moved.normals);
+  }
+
+  std::vector<OutputFile> files;
+  if (const auto* out = arguments->findPath("--obj")) {
+    files.push_back({*out, toObj(body, made.paints)});
+  }
+  for (const auto& [option, binary] :
+       {std::pair{"--stl", toStl(body)}, {"--ply", toPly(body, made.paints)}}) {
+    const auto* out = arguments->findPath(option);
+    if (!out) continue;
+    if (!binary) return refuse(path + ": " + binary.message());
+    files.push_back({*out, *binary});
+  }
+  if (auto error = writeAll(files)) return refuse(error->message());
+  return kFine;
+}
+
+}  // namespace marrow
