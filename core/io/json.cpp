@@ -14,9 +14,7 @@ Json toJson(double value) {
 }
 
 Json toJson(Vec2 point) { return Json::array({toJson(point.x), toJson(point.y)}); }
-Json toJson(Vec3 v) {
-  return Json::array({toJson(v.x), toJson(v.y), toJson(v.z)});
-}
+Json toJson(Vec3 v) { return Json::array({toJson(v.x), toJson(v.y), toJson(v.z)}); }
 
 Json toJson(const std::vector<Vec2>& points) {
   Json list = Json::array();
