@@ -38,6 +38,11 @@ VertexSkin skinOf(const Influences& influences, const Rig& rig) {
     skin.weights[k] = k > 0 ? joints[k].first / sum : 1 - others;
     others += skin.weights[k];
   }
+  // Equal but for the rounding of the rest: the order stays.
+  if (skin.weights[0] < skin.weights[1]) {
+    std::swap(skin.weights[0], skin.weights[1]);
+    std::swap(skin.joints[0], skin.joints[1]);
+  }
   return skin;
 }
 
