@@ -6,6 +6,9 @@
 #include <system_error>
 #include <utility>
 
+#include "cli/commands.h"
+#include "io/document_json.h"
+
 namespace marrow {
 namespace {
 
@@ -120,6 +123,23 @@ bool sameFile(const std::string& a, const std::string& b) {
   const fs::file_status status = fs::status(real_a, failure);
   if (fs::exists(status) && !fs::is_regular_file(status)) return false;
   return real_a == real_b || fs::equivalent(real_a, real_b, failure);
+}
+
+Result<Document> openDocument(const std::string& path) {
+  const auto text = readAll(path, kLargestFile);
+  if (!text) return {text.status(), path + ": " + text.message()};
+  auto document = readDocument(*text);
+  if (!document) return {document.status(), path + ": " + document.message()};
+  return document;
+}
+
+std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+
+std::string printable(std::string words) {
+  for (char& c : words) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+  }
+  return words;
 }
 
 }  // namespace marrow

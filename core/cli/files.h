@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "document/document.h"
 
 namespace marrow {
 
@@ -21,6 +22,14 @@ std::optional<Error> writeAll(const std::vector<OutputFile>& files);
 
 /// largest: bytes. Errors: unreadable, with what is wrong.
 Result<std::string> readAll(const std::string& path, size_t largest);
+
+/// A file that holds a document. Errors: with the path in front.
+Result<Document> openDocument(const std::string& path);
+
+/// The last piece of a path.
+std::string fileName(const std::string& path);
+/// Without control characters, which would change what a terminal shows.
+std::string printable(std::string words);
 
 /// Whether both paths lead to one ordinary file, which need not be there yet.
 bool sameFile(const std::string& a, const std::string& b);

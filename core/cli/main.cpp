@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/files.h"
 
 namespace marrow {
 namespace {
@@ -75,11 +76,7 @@ int run(const std::vector<std::string>& words) {
 }  // namespace
 
 int refuse(const std::string& fault) {
-  std::string line = "marrow: " + fault;
-  for (char& c : line) {
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
-  }
-  line += '\n';
+  const std::string line = printable("marrow: " + fault) + '\n';
   std::fputs(line.c_str(), stderr);
   return kRefused;
 }

@@ -5,7 +5,6 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "document/symmetry.h"
-#include "io/document_json.h"
 #include "io/mesh_export.h"
 #include "pose/pose.h"
 
@@ -15,8 +14,8 @@ namespace {
 const Options kOptions = {"document", {"--obj", "--stl", "--ply"}, {}, {"--pose"}, {"--dual"}};
 
 int printPoses(const std::string& path, const Document& document) {
-  std::printf("%s: %zu poses\n", path.c_str(), document.poses.size());
-  for (const auto& pose : document.poses) std::printf("  %s\n", pose->name.c_str());
+  std::printf("%s: poses: %zu\n", printable(fileName(path)).c_str(), document.poses.size());
+  for (const auto& pose : document.poses) std::printf("  %s\n", printable(pose->name).c_str());
   return std::fflush(stdout) == 0 ? kFine : kRefused;
 }
 
@@ -26,10 +25,8 @@ int runPose(const std::vector<std::string>& words) {
   const auto arguments = parseArguments(words, kOptions);
   if (!arguments) return refuse(arguments.message());
   const std::string& path = arguments->path;
-  const auto text = readAll(path, kLargestFile);
-  if (!text) return refuse(path + ": " + text.message());
-  const auto document = readDocument(*text);
-  if (!document) return refuse(path + ": " + document.message());
+  const auto document = openDocument(path);
+  if (!document) return refuse(document.message());
   const NamedPose* pose = nullptr;
   if (const auto name = arguments->texts.find("--pose"); name != arguments->texts.end()) {
     pose = document->findPose(name->second);
@@ -57,12 +54,16 @@ int runPose(const std::vector<std::string>& words) {
   if (const auto* out = arguments->findPath("--obj")) {
     files.push_back({*out, toObj(body, made.paints)});
   }
-  for (const auto& [option, binary] :
-       {std::pair{"--stl", toStl(body)}, {"--ply", toPly(body, made.paints)}}) {
+  const auto add = [&](const char* option, const auto& write) {
     const auto* out = arguments->findPath(option);
-    if (!out) continue;
-    if (!binary) return refuse(path + ": " + binary.message());
-    files.push_back({*out, *binary});
+    if (!out) return true;
+    const Result<std::string> bytes = write();
+    if (bytes) files.push_back({*out, *bytes});
+    return static_cast<bool>(bytes);
+  };
+  if (!add("--stl", [&] { return toStl(body); }) ||
+      !add("--ply", [&] { return toPly(body, made.paints); })) {
+    return refuse(path + ": it is too large for such a file");
   }
   if (auto error = writeAll(files)) return refuse(error->message());
   return kFine;

@@ -9,7 +9,6 @@
 #include "cli/files.h"
 #include "document/evaluation.h"
 #include "document/symmetry.h"
-#include "io/document_json.h"
 #include "io/export_text.h"
 #include "io/glb.h"
 #include "io/rig_export.h"
@@ -39,16 +38,6 @@ bool isFinite(const Rig& rig) {
     return std::isfinite(joint.position.x) && std::isfinite(joint.position.y) &&
            std::isfinite(joint.position.z) && std::isfinite(joint.radius);
   });
-}
-
-/// The last piece of a path.
-std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
-
-std::string printable(std::string words) {
-  for (char& c : words) {
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
-  }
-  return words;
 }
 
 /// A file's name without its ending.
@@ -117,10 +106,8 @@ int runRig(const std::vector<std::string>& words) {
   if (!arguments) return refuse(arguments.message());
   const std::string& path = arguments->path;
 
-  const auto text = readAll(path, kLargestFile);
-  if (!text) return refuse(path + ": " + text.message());
-  auto document = readDocument(*text);
-  if (!document) return refuse(path + ": " + document.message());
+  auto document = openDocument(path);
+  if (!document) return refuse(document.message());
   for (const auto& [option, threshold] : kThresholds) {
     if (const auto value = arguments->findNumber(option)) document->refine.*threshold = value;
   }
@@ -132,21 +119,22 @@ int runRig(const std::vector<std::string>& words) {
   if (merge && parts) return refuse("--merge or --parts, not both (marrow --help tells more)");
   const auto* glb = arguments->findPath("--glb");
   std::vector<OutputFile> files;
-  Json tree = rigToTree(character);
+  const auto* json = arguments->findPath("--json");
+  Json tree = json ? rigToTree(character) : Json();
   if (glb || merge || parts) {
     CharacterOptions options;
     options.merged = !parts;
     options.weights = !arguments->has("--no-weights");
     options.symmetry = symmetryPlane(*document);
     const Character made = makeCharacter(character, options, milliseconds);
-    addCharacter(tree, made);
     if (glb) {
       const auto bytes = toGlb(glbOf(made, character.rig(), *document, stem(fileName(path))));
-      if (!bytes) return refuse(path + ": " + bytes.message());
+      if (!bytes) return refuse(path + ": it is too large for a GLB file");
       files.push_back({*glb, *bytes});
     }
+    if (json) addCharacter(tree, made);
   }
-  if (const auto* out = arguments->findPath("--json")) files.push_back({*out, toLines(tree)});
+  if (json) files.push_back({*json, toLines(tree)});
   if (const auto* out = arguments->findPath("--obj")) files.push_back({*out, rigToObj(character)});
   if (const auto* out = arguments->findPath("--svg")) {
     files.push_back({*out, rigToSvg(fileName(path), character)});

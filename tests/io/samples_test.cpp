@@ -1,8 +1,7 @@
 // The creatures of the gallery, public/samples: what a user may expect of each of them.
+#include "support/samples.h"
+
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "document/evaluation.h"
@@ -13,35 +12,6 @@
 using namespace marrow;
 
 namespace {
-
-struct Sample {
-  std::string name;  // of the file
-  std::string text;
-  Json tree;
-  Document document;
-};
-
-const std::vector<Sample>& samples() {
-  static const std::vector<Sample> all = [] {
-    std::vector<Sample> found;
-    const std::string folder = MARROW_TEST_DATA_DIR "/../../public/samples";
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-      if (entry.path().extension() != ".json") continue;
-      Sample sample;
-      sample.name = entry.path().stem().string();
-      std::ifstream file(entry.path(), std::ios::binary);
-      sample.text.assign(std::istreambuf_iterator<char>(file), {});
-      if (auto tree = parseJson(sample.text)) sample.tree = *tree;
-      if (sample.tree.is_object() && !field(sample.tree, "format")) continue;  // no drawing
-      if (auto document = readDocument(sample.text)) sample.document = *document;
-      found.push_back(std::move(sample));
-    }
-    std::sort(found.begin(), found.end(),
-              [](const Sample& a, const Sample& b) { return a.name < b.name; });
-    return found;
-  }();
-  return all;
-}
 
 /// The way to what one tree has and the other has not, or has otherwise; empty: nothing.
 std::string missing(const Json& one, const Json& other) {

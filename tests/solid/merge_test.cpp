@@ -1,18 +1,15 @@
 // The union of solids in easy, hard and hostile positions.
 #include "solid/merge.h"
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "document/evaluation.h"
-#include "io/document_json.h"
 #include "part/part.h"
 #include "solid/quality.h"
 #include "solid/solids.h"
 #include "support/catch.h"
 #include "support/creatures.h"
+#include "support/samples.h"
 
 using namespace marrow;
 
@@ -367,24 +364,17 @@ TEST_CASE("merge: small and large models, near and far, are all the same to it")
 }
 
 TEST_CASE("merge: every sample becomes a solid") {
-  int count = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(MARROW_TEST_DATA_DIR "/../../public/samples")) {
-    if (entry.path().extension() != ".json") continue;
-    std::ifstream file(entry.path(), std::ios::binary);
-    const auto document = readDocument({std::istreambuf_iterator<char>(file), {}});
-    if (!document) continue;
-    INFO(entry.path().stem().string());
+  CHECK(samples().size() >= 12);
+  for (const Sample& sample : samples()) {
+    INFO(sample.name);
     Evaluation evaluation;
-    evaluation.update(*document);
+    evaluation.update(sample.document);
     const std::vector<SolidInput> solids = visibleSolids(evaluation);
     const MergedMesh all = mergeSolids(solids);
     CHECK(all.left_out.empty());
     checkSound(all);
     CHECK(sameBits(all, mergeSolids(solids)));
-    ++count;
   }
-  CHECK(count >= 12);
 }
 
 TEST_CASE("merge: random creatures of up to sixty parts become solids, none is lost") {

@@ -36,15 +36,20 @@ std::vector<Model> smallModels() {
   return models;
 }
 
+Result<Volume> volumeOf(const Model& model, double vertices) {
+  VolumeOptions options;
+  options.target_vertices = vertices;
+  auto volume = makeVolume(model.body, options);
+  REQUIRE(volume);
+  return volume;
+}
+
 }  // namespace
 
 TEST_CASE("biharmonic: the matrix is that of linear tetrahedra") {
   for (const Model& model : smallModels()) {
     INFO(model.name);
-    VolumeOptions options;
-    options.target_vertices = 250;
-    const auto volume = makeVolume(model.body, options);
-    REQUIRE(volume);
+    const auto volume = volumeOf(model, 250);
     const SymmetricRows rows = biharmonicMatrix(*volume);
     REQUIRE(rows.size() == volume->vertices.size());
     Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(rows.size(), rows.size());
@@ -62,10 +67,7 @@ TEST_CASE("biharmonic: the matrix is that of linear tetrahedra") {
 TEST_CASE("biharmonic: the weights are the solution of the quadratic programme") {
   for (const Model& model : smallModels()) {
     INFO(model.name);
-    VolumeOptions options;
-    options.target_vertices = 400;
-    const auto volume = makeVolume(model.body, options);
-    REQUIRE(volume);
+    const auto volume = volumeOf(model, 400);
     REQUIRE(volume->piece_count == 1);
     const Handles handles = makeHandles(*volume, model.bones);
     const Eigen::MatrixXd reference = referenceWeights(*volume, handles, model.bones.size());
