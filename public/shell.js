@@ -58,6 +58,7 @@ async function instantiate(imports, receive) {
   const result = WebAssembly.instantiateStreaming
       ? await WebAssembly.instantiateStreaming(withProgress(response), imports)
       : await WebAssembly.instantiate(await withProgress(response).arrayBuffer(), imports);
+  Module.compiled = result.module;  // for workers
   if (!failed) receive(result.instance, result.module);
 }
 

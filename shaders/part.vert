@@ -1,4 +1,6 @@
-// A part's mesh; with u_outline_px > 0 its hull, pushed outward by so much on the screen.
+// A part's mesh, or the whole figure as it is posed; with u_outline_px > 0 its hull, pushed outward
+// by so much on the screen.
+#include "skin.glsl"
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
 
@@ -10,10 +12,14 @@ uniform vec2 u_pixel;        // one CSS pixel in clip space
 uniform float u_outline_px;
 
 out vec3 v_normal;  // view space
+out vec3 v_joint_color;
 
 void main() {
-  v_normal = u_rotation * a_normal;
-  vec3 view = u_rotation * (a_position * u_size) + u_offset;
+  vec3 position = a_position, normal = a_normal;
+  follow(position, normal);
+  v_joint_color = u_skinning == 0 ? vec3(0.0) : jointColor();
+  v_normal = u_rotation * normal;
+  vec3 view = u_rotation * (position * u_size) + u_offset;
   gl_Position = vec4(view * u_scale, 1.0);
   float flatness = length(v_normal.xy);
   if (u_outline_px > 0.0 && flatness > 1e-4) {

@@ -60,15 +60,23 @@ App::FrameResult App::frame(double now_ms) {
   if (ui_.glide.running()) ui_.camera = ui_.glide.at(now_ms);
   update();
   updateLivePart();
+  updateStance();
 
   const bool shows_plane = ui_.tool == ToolKind::line && !shown_.parts.empty();
   scene_ = buildScene(evaluation_, rig(), live_, tools_.drawing(), hand_,
-                      shows_plane ? symmetryPlane(shown_) : std::nullopt, ui_);
+                      shows_plane ? symmetryPlane(shown_) : std::nullopt, stance_, figure_, ui_);
   scene_.pictures = shelf_.pictures.seen(shown_, ui_.camera);
-  const PanelInput input{
-      history_, shown_, evaluation_,
-      rig(),    live_,  hand_,
-      meter_,   shelf_, tools_.drawing().active() && tools_.drawing().isStroke()};
+  const PanelInput input{history_,
+                         shown_,
+                         evaluation_,
+                         rig(),
+                         live_,
+                         hand_,
+                         meter_,
+                         shelf_,
+                         stance_,
+                         figure_,
+                         tools_.drawing().active() && tools_.drawing().isStroke()};
   requests_ = panels_.frame(input, ui_);
   requests_.frame_all |= std::exchange(frame_all_next_, false);
   makeRoom();
@@ -87,6 +95,7 @@ App::FrameResult App::frame(double now_ms) {
                  requests_.wake_after_ms <= 0;
   result.wake_after_ms = requests_.wake_after_ms;
   updateShelf(result);
+  updateFigure(result);
   if (hand_.mode() == Hand::Mode::stroke && live_points_ != tools_.drawing().points().size()) {
     result.wake_after_ms = std::min(result.wake_after_ms, next_preview_ms_ - now_ms);
   }
@@ -141,7 +150,11 @@ bool App::handle(const PointerEvent& event) {
   pointer_px_ = event.position_px;
   if (followKey(event)) return false;
   if (event.type == PointerEvent::Type::down) shift_ = event.shift;
-  const Surroundings around{[this](Vec2 pixel) { return panels_.panelAt(pixel); }, pivot()};
+  const auto takes = [this](Vec2 pixel) {
+    return ui_.tool != ToolKind::pose ||
+           jointToGrab(pixel, stance_.posed, ui_.camera, ui_.size, ui_.touch());
+  };
+  const Surroundings around{[this](Vec2 pixel) { return panels_.panelAt(pixel); }, pivot(), takes};
   const bool was_stroke = tools_.drawing().active() && tools_.drawing().isStroke();
   const Tools::Outcome outcome = tools_.pointer(event, ui_, around);
   if (outcome.to_panels) panels_.pointer(event);
@@ -156,6 +169,7 @@ bool App::handle(const PointerEvent& event) {
     case Tools::Gesture::begin:
       closeEdit();
       forgetWhatIsGone();
+      if (ui_.tool == ToolKind::pose) beginPosing();
       hand_.begin(tools_.drawing(), shift_, ui_, world());
       break;
     case Tools::Gesture::move:
@@ -340,6 +354,7 @@ void App::update() {
   const uint64_t rig_before = evaluation_.rigId();
   evaluation_.update(shown_);
   const double took_ms = clock_() - start_ms;
+  figure_.see(shown_, evaluation_, ui_.now_ms);
   if (evaluation_.recomputed() == 0 && evaluation_.rigId() == rig_before) return;
   meter_.last_evaluation_ms = took_ms;
   if (evaluation_.recomputed() == 0 || ui_.edit) return;
@@ -447,6 +462,9 @@ void App::click(Vec2 pixel, bool shift) {
   if (ui_.attaching) {
     attachAt(pixel);
     return;
+  }
+  if (ui_.tool == ToolKind::pose) {
+    return;  // the press has chosen the joint
   }
   if (ui_.start_button && ui_.start_button->has(pixel)) {
     ui_.openOnly(&PanelsOpen::gallery);

@@ -9,6 +9,7 @@
 
 #include "document/evaluation.h"
 #include "document/history.h"
+#include "figure/figure_keeper.h"
 #include "input.h"
 #include "keep/shelf.h"
 #include "meter.h"
@@ -63,6 +64,12 @@ class App {
   void peeked(const std::string& slot, const std::string& text);
   /// Keeps what is not kept yet, without waiting.
   void keepNow();
+  // What became of the work that a job asked for (app_pose.cpp).
+  void workMade(uint64_t number, const std::string& bytes);
+  void workProgress(uint64_t number, double done);
+  /// why: a sentence where it came to nothing.
+  void workEnded(uint64_t number, const std::string& why);
+
   /// One calm sentence on the canvas.
   void say(std::string sentence);
   Shelf& shelf() { return shelf_; }
@@ -74,6 +81,8 @@ class App {
   /// The rig with the part under the hand, and the placed parts that its indices mean.
   const Rig& rig() const { return live_rig_ ? *live_rig_ : evaluation_.rig(); }
   const Hand& hand() const { return hand_; }
+  const FigureKeeper& figure() const { return figure_; }
+  const Stance& stance() const { return stance_; }
   const LivePart& livePart() const { return live_; }
   const Error& liveError() const { return live_error_; }
   const DrawTool& drawing() const { return tools_.drawing(); }
@@ -103,11 +112,16 @@ class App {
   void update();
   void forgetWhatIsGone();
   void updateLivePart();
+  void updateFigure(FrameResult& result);
+  void updateStance();
+  Pose wantedPose() const;
+  void beginPosing();
+  bool posingKey(char character);
   void click(Vec2 pixel, bool shift);
   /// The joint at the end of the bone that a click there means.
   std::optional<size_t> boneUnder(Vec2 pixel) const;
   void attachAt(Vec2 pixel);
-  Hand::World world() const { return {document(), evaluation_, ground()}; }
+  Hand::World world() const { return {document(), evaluation_, ground(), stance_}; }
   Vec3 ground() const;
   void replace(Document document, const Origin& origin, const std::string& step);
   void act(const FileAction& action);
@@ -145,6 +159,12 @@ class App {
   size_t live_points_ = 0;      // of the stroke, when the live part was made
   double next_preview_ms_ = 0;  // earliest time for another one
   std::optional<Rig> live_rig_;
+  FigureKeeper figure_;
+  Stance stance_;  // while poses are made
+  uint64_t stance_rig_ = 0;
+  // A change of pose that no hand made glides.
+  Pose shown_pose_, wanted_pose_, glide_from_;
+  double glide_since_ms_ = -1e9, last_amount_ = 0;
   Vec2 pointer_px_;          // where the pointer was last
   bool shift_ = false;       // held at the last press
   bool swallow_up_ = false;  // the press that ended a transformation by key goes up unheard

@@ -34,7 +34,7 @@ void App::handle(const KeyEvent& event) {
       break;
     case Key::delete_forward:
     case Key::backspace:
-      if (hand_.key('\b', ui_)) break;
+      if (hand_.key('\b', ui_) || ui_.tool == ToolKind::pose) break;
       if (!tools_.drawing().active() && !ui_.selection.empty()) {
         apply(DeleteParts{ui_.selection.ids});
       }
@@ -47,6 +47,7 @@ void App::handle(const KeyEvent& event) {
       escape();
       break;
     case Key::select_all:
+      if (ui_.tool == ToolKind::pose) break;
       ui_.selection.clear();
       for (const PlacedPart& placed : evaluation_.placed()) {
         const PartSource& source = *evaluation_.parts()[placed.source].source;
@@ -74,6 +75,8 @@ bool App::escape() {
     ui_.open.closeSheets();
   } else if (ui_.narrow() && (part_sheet || ui_.open.parts || ui_.open.skeleton)) {
     ui_.open.part = ui_.open.parts = ui_.open.skeleton = false;
+  } else if (ui_.tool == ToolKind::pose && !ui_.posing.joint.empty()) {
+    ui_.posing.joint.clear();
   } else if (!ui_.selection.empty()) {
     ui_.selection.clear();
   } else if (ui_.open.parts || ui_.open.skeleton) {
@@ -87,6 +90,7 @@ bool App::escape() {
 bool App::handleCharacter(char character) {
   if (hand_.key(character, ui_)) return true;
   if (tools_.drawing().active()) return false;
+  if (ui_.tool == ToolKind::pose && posingKey(character)) return true;
   switch (character) {
     case 'g':
     case 'G':
@@ -140,6 +144,10 @@ bool App::handleCharacter(char character) {
     case 'C':
       useTool(ToolKind::reshape);
       break;
+    case 'p':
+    case 'P':
+      useTool(ui_.tool == ToolKind::pose ? ToolKind::draw : ToolKind::pose);
+      break;
     case 'l':
     case 'L':
       useTool(ToolKind::line);
@@ -169,13 +177,20 @@ bool App::handleCharacter(char character) {
 void App::transformByKey(TransformKind kind) {
   closeEdit();
   if (!hand_.beginByKey(kind, pointer_px_, ui_, world())) {
-    say(document().parts.empty() ? kDrawFirst : "Select a part first: click it.");
+    say(document().parts.empty()     ? kDrawFirst
+        : ui_.tool == ToolKind::pose ? "Choose a joint first: click it."
+                                     : "Select a part first: click it.");
   }
 }
 
 void App::useTool(ToolKind tool) {
   hand_.cancel(ui_);
+  if (tool == ToolKind::pose && evaluation_.rig().bones.empty()) {
+    say(document().parts.empty() ? kDrawFirst : "There are no bones to pose yet.");
+    return;
+  }
   ui_.tool = tool;
+  if (tool == ToolKind::pose) ui_.attaching = false;
   const bool outline = tool == ToolKind::redraw || tool == ToolKind::reshape;
   if (outline && ui_.selection.empty()) {
     say(document().parts.empty() ? kDrawFirst : "Click the part whose outline you want to change.");

@@ -116,6 +116,37 @@ Json drawingJson(const App& app) {
   return json;
 }
 
+/// What poses are made with; joints are where they are seen.
+Json posingJson(const App& app) {
+  const Posing& posing = app.ui().posing;
+  const FigureKeeper& keeper = app.figure();
+  Json json;
+  json["pose"] = app.document().findPose(posing.pose) ? Json(posing.pose) : Json(nullptr);
+  json["joint"] = posing.joint;
+  json["pins"] = posing.pins;
+  json["ready"] = keeper.ready();
+  json["done"] = keeper.done();
+  json["failure"] = keeper.failure();
+  json["made"] = keeper.ordered();
+  json["figure"] = nullptr;
+  if (const auto& figure = keeper.figure()) {
+    json["figure"] = {{"vertices", figure->vertices.size()},
+                      {"triangles", figure->triangles.size()},
+                      {"guessed", figure->guessed},
+                      {"ms", figure->made_ms}};
+  }
+  json["joints"] = Json::array();
+  for (const Rig::Joint& joint : app.stance().posed.joints) {
+    const Vec3 at = joint.position;
+    const Vec2 pixel = app.ui().camera.toScreen(at, app.ui().size);
+    json["joints"].push_back({{"id", joint.id},
+                              {"name", joint.name},
+                              {"position", {at.x, at.y, at.z}},
+                              {"pixel", {pixel.x, pixel.y}}});
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string partsReport(const App& app) {
@@ -162,6 +193,7 @@ std::string statsReport(const App& app) {
                   {"ms", app.warmUp().spent_ms()},
                   {"longestStepMs", app.warmUp().longest_step_ms()}};
   json["drawing"] = drawingJson(app);
+  json["posing"] = posingJson(app);
   json["widgets"] = widgetsJson();
   json["message"] = ui.toast ? Json(ui.toast->text) : Json(nullptr);
   return toText(json);

@@ -37,6 +37,16 @@ Rgba toRgba(Color color) {
           static_cast<float>(color.b) / 255, 1};
 }
 
+/// Colours that differ from those of the joints before and behind.
+Rgba jointColor(size_t joint) {
+  const double hue = std::fmod(0.08 + 0.61803398875 * static_cast<double>(joint), 1.0) * 6;
+  const auto channel = [&](double shift) {
+    const double t = std::fmod(hue + shift, 6.0);
+    return static_cast<float>(0.42 + 0.5 * std::clamp(std::abs(t - 3) - 1, 0.0, 1.0));
+  };
+  return {channel(0), channel(4), channel(2), 1};
+}
+
 class Builder {
  public:
   explicit Builder(const UiState& ui) : ui_(ui) {
@@ -67,6 +77,40 @@ class Builder {
     }
     if (ui_.show.straight_skeleton) addStraightSkeleton(*part, frame);
     if (ui_.show.proxy) addProxy(part->skeleton, frame);
+  }
+
+  /// In place of the parts.
+  void addFigure(const Evaluation& evaluation, const Stance& stance, const FigureKeeper& keeper) {
+    Scene::PosedFigure& posed = scene_.figure.emplace();
+    posed.mesh_id = keeper.meshId();
+    posed.figure = keeper.figure();
+    posed.skinning = ui_.posing.skinning;
+    const Figure& figure = *posed.figure;
+    for (const Figure::Stretch& stretch : figure.stretches) {
+      const PlacedPart* part = findPlaced(evaluation.placed(), stretch.part);
+      posed.colors.push_back(
+          toRgba(part ? evaluation.parts()[part->source].source->color : Color{}));
+    }
+    const auto motions = motionsOf(figure, stance.rest, marrow::posed(stance.rest, stance.pose));
+    posed.joints.resize(motions.size());
+    for (size_t i = 0; i < motions.size(); ++i) {
+      const Quaternion& q = motions[i].rotation;
+      const Vec3 move = motions[i](figure.origin) - figure.origin;
+      posed.joints[i].rotation = {static_cast<float>(q.x), static_cast<float>(q.y),
+                                  static_cast<float>(q.z), static_cast<float>(q.w)};
+      posed.joints[i].move = {static_cast<float>(move.x), static_cast<float>(move.y),
+                              static_cast<float>(move.z), 0};
+    }
+    showWeights(posed, stance.rest);
+    for (const Rig::Joint& joint : stance.posed.joints) {
+      const double r = joint.radius;
+      box_.include(joint.position - Vec3{r, r, r});
+      box_.include(joint.position + Vec3{r, r, r});
+    }
+  }
+
+  Rgba posedBoneColor(const Rig::Joint& tail) const {
+    return !ui_.posing.joint.empty() && tail.id == ui_.posing.joint ? kChosenBranch : kBone;
   }
 
   template <typename IsShown, typename ColorOf>
@@ -155,6 +199,23 @@ class Builder {
   }
 
  private:
+  void showWeights(Scene::PosedFigure& posed, const Rig& rig) const {
+    using Weights = Posing::Weights;
+    if (ui_.posing.weights == Weights::hidden) return;
+    const bool all = ui_.posing.weights == Weights::all;
+    posed.show = all ? Scene::PosedFigure::Show::joints : Scene::PosedFigure::Show::weight;
+    std::string held_by;
+    for (size_t i = 0; i < rig.joints.size(); ++i) {
+      if (rig.joints[i].id != ui_.posing.joint) continue;
+      held_by = rig.joints[boneOf(rig, static_cast<uint32_t>(i))].id;
+    }
+    for (size_t i = 0; i < posed.joints.size(); ++i) {
+      const float chosen = posed.figure->joints[i].id == held_by ? 1.0f : 0.0f;
+      const Rgba color = all ? jointColor(i) : Rgba{chosen, 0, 0, 1};
+      posed.joints[i].color = {color.r, color.g, color.b, 1};
+    }
+  }
+
   static Float3 toFloat(Vec3 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
   }
@@ -212,15 +273,17 @@ class Builder {
 
 Scene buildScene(const Evaluation& evaluation, const Rig& rig, const LivePart& live,
                  const DrawTool& gesture, const Hand& hand, const std::optional<Plane>& symmetry,
-                 const UiState& ui) {
+                 const Stance& stance, const FigureKeeper& figure, const UiState& ui) {
   Builder builder(ui);
   const auto& placed = evaluation.placed();
+  const bool posing = ui.tool == ToolKind::pose;
   for (const PlacedPart& one : placed) {
     const EvaluatedPart& part = evaluation.parts()[one.source];
     if (!part.part || !part.source->visible) continue;
     builder.addPart(part.part, part.mesh_id, one.frame, part.source->color,
-                    ui.selection.has(one.id));
+                    !posing && ui.selection.has(one.id));
   }
+  if (posing && figure.figure()) builder.addFigure(evaluation, stance, figure);
   if (live.part) {
     for (const PlacedPart& one : live.placed) {
       builder.addPart(live.part, live.mesh_id, one.frame, live.source.color, false);
@@ -232,13 +295,14 @@ Scene buildScene(const Evaluation& evaluation, const Rig& rig, const LivePart& l
              evaluation.parts()[placed[joint.part].source].source->visible;
     };
     const auto colorOf = [&](const Rig::Joint& joint) {
+      if (posing) return builder.posedBoneColor(joint);
       const bool chosen = joint.part < placed.size() && ui.selection.has(placed[joint.part].id);
       if (!chosen) return kBone;
       const bool branch =
           !ui.selection.branch.empty() && ui.selection.branch == std::to_string(joint.branch);
       return branch ? kChosenBranch : kChosenBone;
     };
-    builder.addRig(rig, isShown, colorOf);
+    builder.addRig(posing ? stance.posed : rig, isShown, colorOf);
   }
   if (hand.mode() == Hand::Mode::stroke && gesture.isStroke()) {
     builder.addInk(gesture);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "document/evaluation.h"
+#include "figure/figure_keeper.h"
 #include "render/scene.h"
 #include "tools/hand.h"
 #include "ui_state.h"
@@ -20,10 +21,10 @@ struct LivePart {
   std::vector<PlacedPart> placed;  // itself and its twin, if it gets one
 };
 
-/// rig: of the evaluation's placed parts and, after them, the live ones. symmetry: the plane to
-/// show, if any.
+/// stance, figure: shown while poses are made. rig: of the evaluation's placed parts and, after
+/// them, the live ones. symmetry: the plane to show, if any.
 Scene buildScene(const Evaluation& evaluation, const Rig& rig, const LivePart& live,
                  const DrawTool& gesture, const Hand& hand, const std::optional<Plane>& symmetry,
-                 const UiState& ui);
+                 const Stance& stance, const FigureKeeper& figure, const UiState& ui);
 
 }  // namespace marrow

@@ -11,6 +11,7 @@
 #include "camera.h"
 #include "document/command.h"
 #include "input.h"
+#include "pose/skin.h"
 
 namespace marrow {
 
@@ -43,9 +44,13 @@ struct PanelsOpen {
   bool bones = false;       // in the part's panel: the same
   bool attachment = false;  // in the part's panel: where it hangs
 
+  bool pose = false;  // on a narrow canvas; a wide one shows it as long as poses are made
+
   /// Those that Esc closes.
-  bool anySheet() const { return view || performance || help || file || gallery || picture; }
-  void closeSheets() { view = performance = help = file = gallery = picture = false; }
+  bool anySheet() const {
+    return pose || view || performance || help || file || gallery || picture;
+  }
+  void closeSheets() { pose = view = performance = help = file = gallery = picture = false; }
 };
 
 /// What the thresholds on the screen are those of.
@@ -58,9 +63,24 @@ enum class ToolKind : uint8_t {
   redraw,   // stretches of the selected part's outline
   reshape,  // the same, by dragging its points
   line,     // of symmetry
+  pose,     // the joints of the finished character
 };
 
 const char* toString(ToolKind tool);
+
+/// How the character is posed and shown while the tool in hand is ToolKind::pose.
+struct Posing {
+  enum class Weights : uint8_t { hidden, joint, all };  // those of the chosen joint, or of all
+
+  std::string pose;            // name of the one shown and changed; empty, or none's: at rest
+  std::string mix;             // name of another one, or empty for rest
+  double amount = 0;           // 0 … 1 of `mix` in what is shown
+  std::string joint;           // id of the one chosen last; may be empty
+  std::set<std::string> pins;  // ids of joints that stay where they are
+  bool turns = false;          // a drag turns a bone; else it pulls a joint
+  Skinning skinning = Skinning::linear;
+  Weights weights = Weights::hidden;
+};
 
 /// What the user has chosen.
 struct Selection {
@@ -105,6 +125,7 @@ struct UiState {
   bool symmetry = true;           // strokes off the plane of symmetry get a twin
   bool through_selected = false;  // new strokes lie as deep as the selected parts
   Selection selection;
+  Posing posing;
   RefineScope refine_scope = RefineScope::part;
   bool attaching = false;  // the next click on a bone or a part says where the selected part hangs
   std::optional<PendingEdit> edit;

@@ -77,8 +77,13 @@ using WeightReport = Character::WeightReport;
 
 class Maker {
  public:
-  Maker(const Evaluation& evaluation, const CharacterOptions& options, Clock clock)
-      : evaluation_(evaluation), options_(options), clock_(clock), watch_(clock, made_.timings) {}
+  Maker(const Evaluation& evaluation, const CharacterOptions& options, Clock clock,
+        const CharacterWatch& watch)
+      : evaluation_(evaluation),
+        options_(options),
+        clock_(clock),
+        seen_(watch),
+        watch_(clock, made_.timings) {}
 
   Character make() {
     addPaints();
@@ -89,7 +94,14 @@ class Maker {
     } else {
       addParts();
     }
-    if (options_.weights) addWeights();
+    if (options_.weights) {
+      if (seen_.first_guess) {
+        addWeights(quickWeightOptions(), {});
+        seen_.first_guess(made_);
+        for (SkinnedMesh& mesh : made_.meshes) mesh.skin.clear();
+      }
+      addWeights(options_.weighting, seen_.progress);
+    }
     return std::move(made_);
   }
 
@@ -108,7 +120,7 @@ class Maker {
       paint_of_[i] = static_cast<uint32_t>(made_.paints.size());
       std::string name = source.name;
       if (placed[i].side) name += std::string(".") + placed[i].side;
-      made_.paints.push_back({std::move(name), source.color});
+      made_.paints.push_back({std::move(name), source.color, placed[i].id});
     }
   }
 
@@ -152,17 +164,16 @@ class Maker {
     }
   }
 
-  void addWeights() {
+  void addWeights(WeightOptions weighting, const WeightProgress& progress) {
     const Rig& rig = evaluation_.rig();
     WeightReport& report = made_.weights.emplace();
     report.bones = rig.bones.size();
     if (rig.bones.empty()) return;
-    WeightOptions weighting = options_.weighting;
     if (options_.symmetry) {
       weighting.volume.centre = options_.symmetry->normal * -options_.symmetry->offset;
     }
     const auto field =
-        WeightField::make(made_.merged.mesh, boneSegments(rig), weighting, {}, clock_);
+        WeightField::make(made_.merged.mesh, boneSegments(rig), weighting, progress, clock_);
     watch_.lap("weights");
     if (!field) return;
     report.min = 1;
@@ -184,6 +195,7 @@ class Maker {
   const Evaluation& evaluation_;
   const CharacterOptions& options_;
   Clock clock_;
+  const CharacterWatch& seen_;
   Character made_;
   Stopwatch watch_;
   std::vector<uint32_t> paint_of_;  // by placed part
@@ -191,9 +203,9 @@ class Maker {
 
 }  // namespace
 
-Character makeCharacter(const Evaluation& evaluation, const CharacterOptions& options,
-                        Clock clock) {
-  return Maker(evaluation, options, clock).make();
+Character makeCharacter(const Evaluation& evaluation, const CharacterOptions& options, Clock clock,
+                        const CharacterWatch& watch) {
+  return Maker(evaluation, options, clock, watch).make();
 }
 
 }  // namespace marrow

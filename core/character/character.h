@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ namespace marrow {
 struct Paint {
   std::string name;  // of the part
   Color color;
+  std::string part;  // id of the placed part
 };
 
 /// At rest, in space. One normal and one skin entry per vertex, or no skin at all: then it follows
@@ -36,6 +38,16 @@ struct CharacterOptions {
   std::optional<Plane> symmetry;  // where it lies along the axes, twins get the same weights
   MergeOptions merge;
   WeightOptions weighting;
+};
+
+struct Character;
+
+/// What happens on the way to a character.
+struct CharacterWatch {
+  /// The character with quick weights, before the others are begun.
+  std::function<void(const Character&)> first_guess;
+  /// Of the weights; where it says to stop, the character has none.
+  WeightProgress progress;
 };
 
 struct Character {
@@ -59,6 +71,6 @@ struct Character {
 /// Of all visible parts. A joint moves what the bones that leave it hold [RS §4.1]: weights are
 /// those of bounded biharmonic functions on the body's volume, the largest four of each vertex.
 Character makeCharacter(const Evaluation& evaluation, const CharacterOptions& options = {},
-                        Clock clock = nullptr);
+                        Clock clock = nullptr, const CharacterWatch& watch = {});
 
 }  // namespace marrow

@@ -108,4 +108,11 @@ std::string partId(uint64_t number) { return kIdPrefix + std::to_string(number);
 
 std::string defaultPartName(uint64_t number) { return "Part " + std::to_string(number); }
 
+std::string freshPoseName(const Document& document) {
+  for (size_t number = document.poses.size() + 1;; ++number) {
+    std::string name = "Pose " + std::to_string(number);
+    if (!document.findPose(name)) return name;
+  }
+}
+
 }  // namespace marrow

@@ -111,5 +111,7 @@ uint64_t partNumber(const std::string& id);
 uint64_t takePartNumber(Document& document);
 std::string partId(uint64_t number);
 std::string defaultPartName(uint64_t number);
+/// "Pose 1", or the next number that no pose is called by.
+std::string freshPoseName(const Document& document);
 
 }  // namespace marrow

@@ -234,11 +234,11 @@ class Writer {
   // ---- The body
 
   void addPaints() {
-    for (const auto& [name, color] : character_.paints) {
+    for (const Paint& paint : character_.paints) {
       tinygltf::Material material;
-      material.name = name;
-      material.pbrMetallicRoughness.baseColorFactor = {linear(color.r), linear(color.g),
-                                                       linear(color.b), 1};
+      material.name = paint.name;
+      material.pbrMetallicRoughness.baseColorFactor = {
+          linear(paint.color.r), linear(paint.color.g), linear(paint.color.b), 1};
       material.pbrMetallicRoughness.metallicFactor = 0;
       material.pbrMetallicRoughness.roughnessFactor = 0.8;
       model_.materials.push_back(std::move(material));

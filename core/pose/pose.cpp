@@ -52,6 +52,43 @@ Pose mirroredPose(const Rig& rig, const Pose& pose, const Plane& plane,
   return result;
 }
 
+std::vector<uint32_t> mirrorPartners(const Rig& rig, const std::vector<PlacedPart>& placed,
+                                     const Plane& plane) {
+  std::vector<uint32_t> partners(rig.joints.size());
+  for (size_t i = 0; i < rig.joints.size(); ++i) {
+    partners[i] = static_cast<uint32_t>(i);
+    const Vec3 wanted = mirrored(rig.joints[i].position, plane);
+    double nearest = rig.joints[i].radius;
+    for (size_t j = 0; j < rig.joints.size(); ++j) {
+      if (placed[rig.joints[j].part].source != placed[rig.joints[i].part].source) continue;
+      const double far = distance(rig.joints[j].position, wanted);
+      if (far > nearest || (far == nearest && partners[i] != i)) continue;
+      nearest = far;
+      partners[i] = static_cast<uint32_t>(j);
+    }
+  }
+  return partners;
+}
+
+Pose turned(const Rig& rig, const Pose& pose, uint32_t joint, const Quaternion& rotation) {
+  if (joint >= rig.joints.size()) return pose;
+  const int32_t above = rig.joints[joint].parent;
+  const Quaternion parent =
+      above < 0 ? Quaternion{} : posed(rig, pose)[static_cast<size_t>(above)].rotation;
+  Pose result = pose;
+  JointMotion& own = result[rig.joints[joint].id];
+  own.rotation = normalised(conjugate(parent) * rotation * parent * normalised(own.rotation));
+  return result;
+}
+
+Pose withoutResting(const Pose& pose) {
+  Pose result;
+  for (const auto& [id, motion] : pose) {
+    if (!(motion == JointMotion{})) result.emplace(id, motion);
+  }
+  return result;
+}
+
 std::vector<Quaternion> restAxes(const Rig& rig) {
   const size_t n = rig.joints.size();
   const auto wayTo = [&](size_t child) {

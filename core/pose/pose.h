@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "document/placed_parts.h"
 #include "document/pose.h"
 #include "rig/rig.h"
 
@@ -20,6 +21,18 @@ Pose mixed(const Pose& a, const Pose& b, double t);
 /// plane or has none.
 Pose mirroredPose(const Rig& rig, const Pose& pose, const Plane& plane,
                   const std::vector<uint32_t>& partner);
+
+/// For each joint the one opposite: of the same part or its twin, nearest to its mirror place and
+/// no farther from it than the joint's radius; else itself. O(joints²).
+std::vector<uint32_t> mirrorPartners(const Rig& rig, const std::vector<PlacedPart>& placed,
+                                     const Plane& plane);
+
+/// The pose in which a joint has turned in space, about where it is, and all that hangs on it with
+/// it.
+Pose turned(const Rig& rig, const Pose& pose, uint32_t joint, const Quaternion& rotation);
+
+/// The same pose without joints that rest.
+Pose withoutResting(const Pose& pose);
 
 /// Axes for each joint at rest: y along the bone that goes on from it (where several do, the one
 /// that turns least; at the ends as before), x and z turned as little as can be from the parent's.

@@ -59,6 +59,8 @@ const char* toString(Job::Kind kind) {
       return "dismiss";
     case Job::Kind::picture:
       return "picture";
+    case Job::Kind::work:
+      return "work";
     case Job::Kind::decode:
       return "decode";
   }

@@ -26,11 +26,13 @@ struct Job {
     restore,  // open the kept drawing `slot`
     dismiss,  // the kept drawing `slot` need not be offered again
     picture,  // a picture that the user chooses
+    work,     // `text` is done elsewhere (figure/work.h) in place of what is under way; empty: stop
     decode,   // the pixels of the picture `drawing`: `text` is a data URL
   };
   Kind kind = Kind::open;
   uint64_t id = 0;
   uint64_t drawing = 0;  // Document::drawing
+  uint64_t number = 0;   // of work
   std::string name;      // without folder and ending, but a path where the platform has no dialogs
   std::string slot;
   std::string text;

@@ -126,6 +126,32 @@ class Marks {
     list_.AddRect({at.x - 6, at.y - 6}, {at.x + 6, at.y + 6}, kEdge, 2, 0, 1.4f);
   }
 
+  // Pins, and how far away what was asked for lies.
+  void posing() {
+    if (ui_.tool != ToolKind::pose) return;
+    const Rig& rig = input_.stance.posed;
+    for (const uint32_t pin : input_.stance.pins) {
+      if (pin >= rig.joints.size()) continue;
+      const ImVec2 at = toIm(onScreen(rig.joints[pin].position));
+      list_.AddCircle(at, 11, kHandle, 32, 4);
+      list_.AddCircle(at, 11, kAttach, 32, 2.4f);
+      list_.AddCircleFilled(at, 4, kAttach, 20);
+    }
+    const PoseTool& tool = input_.hand.posing();
+    if (const auto target = tool.outOfReach()) {
+      const Vec2 to = onScreen(*target);
+      const Vec2 from = onScreen(rig.joints[tool.joint()].position);
+      if (distance(from, to) > 6) dashed(from, to, kRing, 2);
+      list_.AddCircle(toIm(to), 6, kRing, 24, 2);
+    }
+    if (tool.byKey()) {
+      const std::string text =
+          tool.label() + "     X Y Z \xC2\xB7 number \xC2\xB7 click \xC2\xB7 Esc";
+      const float width = ImGui::CalcTextSize(text.c_str()).x;
+      label(text, {canvasWidth(ui_) / 2 - width / 2, margin(ui_) + 4}, kEdge);
+    }
+  }
+
   void attachments() {
     const auto& placed = input_.evaluation.placed();
     const bool moves = input_.hand.mode() == Hand::Mode::transform;
@@ -229,6 +255,7 @@ void drawCanvasMarks(const PanelInput& input, UiState& ui, Requests&) {
   marks.outline();
   marks.attachments();
   marks.gizmo();
+  marks.posing();
   marks.box();
 }
 

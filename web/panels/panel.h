@@ -8,6 +8,7 @@
 
 #include "document/evaluation.h"
 #include "document/history.h"
+#include "figure/figure_keeper.h"
 #include "keep/shelf.h"
 #include "meter.h"
 #include "scene_builder.h"
@@ -24,6 +25,8 @@ struct PanelInput {
   const Hand& hand;
   const Meter& meter;
   const Shelf& shelf;
+  const Stance& stance;  // while poses are made
+  const FigureKeeper& figure;
   bool drawing = false;  // a stroke is under way
 };
 
@@ -56,6 +59,8 @@ void drawHelpPanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawFilePanel(const PanelInput& input, UiState& ui, Requests& requests);
 /// The offer to go on with a kept drawing.
 void drawOffer(const PanelInput& input, UiState& ui, Requests& requests);
+/// Poses, while they are made.
+void drawPosePanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawGalleryPanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawReferencePanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawHint(const PanelInput& input, UiState& ui, Requests& requests);

@@ -179,11 +179,11 @@ Insets PanelLayer::covered(const UiState& ui, bool by_model_sheets) const {
     covered.*side = std::max(covered.*side, taken);
   };
   const auto sheet_side = lowCanvas(ui) ? &Insets::right : &Insets::bottom;
-  for (const char* name : {"part", "parts", "refine", "view sheet"}) {
+  for (const char* name : {"part", "parts", "refine", "pose", "view sheet"}) {
     if (ui.narrow()) cover(name, sheet_side);
   }
   if (by_model_sheets) return covered;
-  for (const char* name : {"part", "refine"}) {
+  for (const char* name : {"part", "refine", "pose"}) {
     if (!ui.narrow()) cover(name, &Insets::right);
   }
   for (const Side& side : kLeft) cover(side.name, ui.narrow() ? sheet_side : &Insets::left);
@@ -212,6 +212,7 @@ Requests PanelLayer::frame(const PanelInput& input, UiState& ui) {
   drawHelpPanel(input, ui, requests);
   drawPerformancePanel(input, ui, requests);
   drawPartPanel(input, ui, requests);
+  drawPosePanel(input, ui, requests);
   drawFilePanel(input, ui, requests);
   drawGalleryPanel(input, ui, requests);
   drawReferencePanel(input, ui, requests);

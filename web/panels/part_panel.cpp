@@ -302,13 +302,14 @@ std::string counted(size_t n, const char* one) {
 }
 
 bool partPanelShows(const PanelInput& input, const UiState& ui) {
+  if (ui.tool == ToolKind::pose) return false;
   return ui.open.part && (ui.narrow() || !selectedSources(input, ui).empty());
 }
 
 void drawPartPanel(const PanelInput& input, UiState& ui, Requests& requests) {
   if (input.drawing) return;
   if (ui.attaching) drawAttachHint(input, ui);
-  if (ui.open.part) PartPanel(input, ui, requests).draw();
+  if (ui.open.part && ui.tool != ToolKind::pose) PartPanel(input, ui, requests).draw();
   if (const auto typed = leftText("part")) rename(input, *typed, requests);
 }
 

@@ -292,7 +292,8 @@ void drawThresholds(const PanelInput& input, UiState& ui, Requests& requests) {
 }
 
 void drawRefinePanel(const PanelInput& input, UiState& ui, Requests& requests) {
-  if (!ui.open.skeleton || partPanelShows(input, ui) || input.drawing) return;
+  if (!ui.open.skeleton || ui.tool == ToolKind::pose || partPanelShows(input, ui) || input.drawing)
+    return;
   beginPanel("refine", ui.narrow() ? sheetBox(ui) : columnBox(ui));
   if (titleRow("Bones", ui)) {
     ui.open.skeleton = false;

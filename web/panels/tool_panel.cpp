@@ -16,7 +16,7 @@ struct ToolButton {
   const char* tooltip;
 };
 
-const std::array<ToolButton, 5> kTools{{
+const std::array<ToolButton, 6> kTools{{
     {ToolKind::draw, kIconPencil, "Draw a part  (B)"},
     {ToolKind::select, kIconMousePointer2,
      "Select, move, turn and scale  (V)\nDrag a part to move it, drag beside it for a box."},
@@ -24,6 +24,7 @@ const std::array<ToolButton, 5> kTools{{
     {ToolKind::reshape, kIconSpline, "Drag an outline to bend it  (C again)"},
     {ToolKind::line, kIconSquareCenterlineDashedHorizontal,
      "Draw the line of symmetry  (L)\nA half outline drawn along it becomes a whole one."},
+    {ToolKind::pose, kIconPersonStanding, "Pose the character by its bones  (P)"},
 }};
 
 char keyOf(ToolKind tool) {
@@ -38,6 +39,8 @@ char keyOf(ToolKind tool) {
       return 'C';
     case ToolKind::line:
       return 'l';
+    case ToolKind::pose:
+      return 'p';
   }
   return 0;
 }
@@ -47,7 +50,7 @@ float height(const UiState& ui) {
 }
 
 bool sheetReaches(float y) {
-  for (const char* name : {"part", "parts", "refine"}) {
+  for (const char* name : {"part", "parts", "refine", "pose"}) {
     const auto sheet = panelSpan(name);
     if (sheet && sheet->top < y) return true;
   }
@@ -68,6 +71,8 @@ const char* toString(ToolKind tool) {
       return "reshape";
     case ToolKind::line:
       return "line";
+    case ToolKind::pose:
+      return "pose";
   }
   return "";
 }

@@ -200,9 +200,13 @@ void drawNarrow(const PanelInput& input, UiState& ui, Requests& requests) {
   ImGui::SameLine();
   sheetButton("view", kIconEye, &PanelsOpen::view, {"What is shown"}, ui, requests);
   ImGui::SameLine();
-  ButtonLook look{"The selected part"};
-  look.enabled = input.shown.find(sourceId(ui.selection.primary())).has_value();
-  sheetButton("part", kIconSlidersHorizontal, &PanelsOpen::part, look, ui, requests);
+  if (ui.tool == ToolKind::pose) {
+    sheetButton("poses", kIconPersonStanding, &PanelsOpen::pose, {"Poses"}, ui, requests);
+  } else {
+    ButtonLook look{"The selected part"};
+    look.enabled = input.shown.find(sourceId(ui.selection.primary())).has_value();
+    sheetButton("part", kIconSlidersHorizontal, &PanelsOpen::part, look, ui, requests);
+  }
   ImGui::SameLine();
   sheetButton("parts", kIconListTree, &PanelsOpen::parts, {"All parts"}, ui, requests);
   ImGui::SameLine();

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "figure/work.h"
 #include "io/document_json.h"
 #include "io/json.h"
 #include "io/rig_export.h"
@@ -15,6 +16,14 @@
 #include "platform/key_names.h"
 #include "render/presenter.h"
 #include "report.h"
+
+// From a worker to its page; see worker.js.
+EM_JS(void, marrow_tell_made, (const char* bytes, int size), {
+  const made = HEAPU8.slice(bytes, bytes + size);
+  postMessage({made : made.buffer}, [made.buffer]);
+});
+EM_JS(void, marrow_tell_progress, (double done), { postMessage({done}); });
+EM_JS(void, marrow_tell_ended, (const char* why), { postMessage({ended : UTF8ToString(why)}); });
 
 namespace marrow {
 namespace {
@@ -120,6 +129,32 @@ EMSCRIPTEN_KEEPALIVE void marrow_pixels(int texture, int width, int height, int 
   pixels.rgba.assign(rgba, rgba + static_cast<size_t>(width) * static_cast<size_t>(height) * 4);
   page->app.shelf().pictures.decoded(static_cast<marrow::TextureId>(texture), std::move(pixels));
   page->app.redraw();
+}
+
+/// What became of the work with this number: bytes of what was made; how much is done; or that it
+/// has ended, and in a sentence why it came to nothing.
+EMSCRIPTEN_KEEPALIVE void marrow_work_made(double number, const char* bytes, int size) {
+  page->app.workMade(static_cast<uint64_t>(number), std::string(bytes, static_cast<size_t>(size)));
+}
+EMSCRIPTEN_KEEPALIVE void marrow_work_progress(double number, double done) {
+  page->app.workProgress(static_cast<uint64_t>(number), done);
+}
+EMSCRIPTEN_KEEPALIVE void marrow_work_ended(double number, const char* why) {
+  page->app.workEnded(static_cast<uint64_t>(number), why);
+}
+
+/// In a worker: does the work and tells what has been made.
+EMSCRIPTEN_KEEPALIVE void marrow_work(const char* request) {
+  marrow::WorkTeller teller;
+  teller.made = [](const std::string& bytes) {
+    marrow_tell_made(bytes.data(), static_cast<int>(bytes.size()));
+  };
+  teller.progress = [](double done) {
+    marrow_tell_progress(done);
+    return true;  // who wants no more of it ends the worker
+  };
+  const auto result = marrow::work(request, teller, marrow::now_ms);
+  marrow_tell_ended(result ? "" : result.message().c_str());
 }
 
 /// The WebGL context was lost, or is back.

@@ -2,6 +2,7 @@
 // window.marrow. Linked into marrow.js; holds no state of the app. Nothing is taken apart by pattern
 // here: the optimizer of older Emscriptens loses such variables.
 Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
+  if (typeof document === 'undefined') return;
   const canvas = Module['canvas'];
   const kinds = {mouse: 0, touch: 1, pen: 2};
   const types = {down: 0, move: 1, up: 2, cancel: 3, leave: 4};
@@ -38,12 +39,13 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
 
   // What the app asks of files, storage and pictures, which have scripts of their own.
   const host = {
-    call, raw, wake, frame, canvas, runJobs, perform: {},
+    call, raw, copied, wake, frame, canvas, runJobs, perform: {},
     say(sentence) { call('say', sentence); wake(); },
   };
   marrowFiles(host);
   marrowPictures(host);
   marrowStorage(host);
+  marrowWorker(host);
   function runJobs() {
     const asked = call('jobs');
     if (document.title !== asked.title) document.title = asked.title;
@@ -108,7 +110,7 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
     escape: 'escape', delete: 'deleteForward', backspace: 'backspace', enter: 'enter',
     arrowleft: 'leftArrow', arrowright: 'rightArrow', home: 'home', end: 'end',
   };
-  const characters = 'abcdfghlmrsvxyzABCDFGHLMRSVXYZ0123456789.-?[]';
+  const characters = 'abcdfghlmnprstvwxyzABCDFGHLMNPRSTVWXYZ0123456789.-?[]';
   function keyName(event) {
     const latin = event.key.length > 1 || event.key.charCodeAt(0) < 128;
     const written = latin ? event.key : event.code.replace(/^Key/, '').toLowerCase();

@@ -68,6 +68,7 @@ std::string BrowserFiles::jobs() {
     answer["jobs"].push_back({{"kind", toString(job.kind)},
                               {"id", job.id},
                               {"drawing", job.drawing},
+                              {"number", job.number},
                               {"name", job.name},
                               {"slot", job.slot},
                               {"parts", job.parts},

@@ -206,7 +206,8 @@ int fail(const std::string& sentence) {
 }
 
 int run(Desktop& desktop, const DesktopOptions& options) {
-  desktop.files = std::make_unique<DesktopFiles>(desktop.app, !options.endsByItself());
+  desktop.files = std::make_unique<DesktopFiles>(desktop.app, !options.endsByItself(), now_ms,
+                                                 glfwPostEmptyEvent);
   desktop.files->start();
   if (options.restore && !desktop.files->restoreNewest()) return fail("no drawing is kept.");
   if (!options.document.empty()) {

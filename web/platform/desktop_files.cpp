@@ -40,7 +40,8 @@ bool isPicture(const std::vector<uint8_t>& file) {
 
 }  // namespace
 
-DesktopFiles::DesktopFiles(App& app, bool keeps) : app_(app), keeps_(keeps) {
+DesktopFiles::DesktopFiles(App& app, bool keeps, Clock clock, std::function<void()> wake)
+    : app_(app), keeps_(keeps), worker_(clock, std::move(wake)) {
   app_.shelf().keeping.dialogs = false;
 }
 
@@ -92,6 +93,7 @@ bool DesktopFiles::write(const std::string& path) {
 }
 
 void DesktopFiles::perform() {
+  worker_.tell(app_);
   // What is done may ask for more.
   for (int round = 0; round < 4; ++round) {
     const std::vector<Job> jobs = app_.takeJobs();
@@ -132,6 +134,9 @@ void DesktopFiles::perform(const Job& job) {
       break;
     case Job::Kind::picture:
       app_.say("Drop a PNG or JPEG file on the window.");
+      break;
+    case Job::Kind::work:
+      worker_.begin(job.number, job.text);
       break;
     case Job::Kind::decode: {
       const auto texture = static_cast<TextureId>(job.drawing);

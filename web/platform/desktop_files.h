@@ -1,18 +1,21 @@
 // Files for the desktop app: what the browser's scripts do for the one in a page.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "app.h"
 #include "platform/autosaves.h"
+#include "platform/worker_thread.h"
 
 namespace marrow {
 
 class DesktopFiles {
  public:
-  /// keeps: drawings are kept by themselves.
-  DesktopFiles(App& app, bool keeps);
+  /// keeps: drawings are kept by themselves. wake: called from other threads when there is
+  /// something to do.
+  DesktopFiles(App& app, bool keeps, Clock clock, std::function<void()> wake);
 
   /// Tells the app which drawings are kept; the newest one is offered.
   void start();
@@ -36,6 +39,7 @@ class DesktopFiles {
   Autosaves autosaves_{Autosaves::standardFolder()};
   std::map<uint64_t, std::string> places_;  // files of the drawings
   bool said_not_kept_ = false;
+  WorkerThread worker_;
 };
 
 }  // namespace marrow

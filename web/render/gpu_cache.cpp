@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace marrow {
 namespace {
@@ -9,13 +10,24 @@ namespace {
 // Undo and redo find their meshes still there; a live preview leaves one behind each frame.
 constexpr uint64_t kFramesKept = 8;
 
-void bindVertexLayout() {
+const void* at(size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+
+void bindLayout(const Part*) {
   const GLsizei stride = 6 * sizeof(float);
-  glEnableVertexAttribArray(0);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, nullptr);
-  glEnableVertexAttribArray(1);
-  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride,
-                        reinterpret_cast<const void*>(3 * sizeof(float)));
+  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, at(3 * sizeof(float)));
+  for (const GLuint location : {0u, 1u}) glEnableVertexAttribArray(location);
+  for (const GLuint location : {2u, 3u}) glDisableVertexAttribArray(location);
+}
+
+void bindLayout(const Figure*) {
+  using Vertex = Figure::Vertex;
+  const GLsizei stride = sizeof(Vertex);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, at(offsetof(Vertex, position)));
+  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, at(offsetof(Vertex, normal)));
+  glVertexAttribPointer(2, 4, GL_FLOAT, GL_FALSE, stride, at(offsetof(Vertex, weights)));
+  glVertexAttribPointer(3, 4, GL_UNSIGNED_SHORT, GL_FALSE, stride, at(offsetof(Vertex, joints)));
+  for (const GLuint location : {0u, 1u, 2u, 3u}) glEnableVertexAttribArray(location);
 }
 
 GpuMesh makeMesh() {
@@ -23,42 +35,59 @@ GpuMesh makeMesh() {
   mesh.vertices = makeBuffer();
   mesh.triangles = makeBuffer();
   mesh.vertex_array = makeVertexArray();
-  glBindVertexArray(mesh.vertex_array.name());
-  glBindBuffer(GL_ARRAY_BUFFER, mesh.vertices.name());
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.triangles.name());
-  bindVertexLayout();
-  glBindVertexArray(0);
   return mesh;
 }
 
-void fill(GpuMesh& gpu, const Part& part) {
-  const std::vector<Vec3>& positions = part.mesh.positions;
-  gpu.origin = positions.empty() ? Vec3{} : positions.front();
+/// The bytes of the vertices, as bindLayout has them.
+std::vector<float> verticesOf(const Part& part, Vec3 origin) {
   std::vector<float> vertices;
-  vertices.reserve(positions.size() * 6);
-  for (size_t i = 0; i < positions.size(); ++i) {
-    const Vec3 p = positions[i] - gpu.origin;
+  vertices.reserve(part.mesh.positions.size() * 6);
+  for (size_t i = 0; i < part.mesh.positions.size(); ++i) {
+    const Vec3 p = part.mesh.positions[i] - origin;
     const Vec3 n = part.normals[i];
     for (const double value : {p.x, p.y, p.z, n.x, n.y, n.z}) {
       vertices.push_back(static_cast<float>(value));
     }
   }
-  gpu.triangle_indices = static_cast<GLsizei>(part.mesh.triangles.size() * 3);
+  return vertices;
+}
+const std::vector<Figure::Vertex>& verticesOf(const Figure& figure, Vec3) {
+  return figure.vertices;
+}
+
+Vec3 originOf(const Part& part) {
+  return part.mesh.positions.empty() ? Vec3{} : part.mesh.positions.front();
+}
+Vec3 originOf(const Figure& figure) { return figure.origin; }
+
+const auto& trianglesOf(const Part& part) { return part.mesh.triangles; }
+const auto& trianglesOf(const Figure& figure) { return figure.triangles; }
+
+template <typename T>
+void upload(GLenum target, const std::vector<T>& items) {
+  glBufferData(target, static_cast<GLsizeiptr>(items.size() * sizeof(T)), items.data(),
+               GL_DYNAMIC_DRAW);
+}
+
+template <typename Source>
+void fill(GpuMesh& gpu, const Source& source) {
+  gpu.origin = originOf(source);
+  gpu.triangle_indices = static_cast<GLsizei>(trianglesOf(source).size() * 3);
   gpu.edge_indices = 0;
   glBindVertexArray(gpu.vertex_array.name());
   glBindBuffer(GL_ARRAY_BUFFER, gpu.vertices.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(float)),
-               vertices.data(), GL_DYNAMIC_DRAW);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-               static_cast<GLsizeiptr>(part.mesh.triangles.size() * 3 * sizeof(uint32_t)),
-               part.mesh.triangles.data(), GL_DYNAMIC_DRAW);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, gpu.triangles.name());
+  bindLayout(&source);
+  upload(GL_ARRAY_BUFFER, verticesOf(source, gpu.origin));
+  upload(GL_ELEMENT_ARRAY_BUFFER, trianglesOf(source));
   glBindVertexArray(0);
 }
 
-void fillEdges(GpuMesh& gpu, const Part& part) {
+template <typename Source>
+void fillEdges(GpuMesh& gpu, const Source& source) {
   std::vector<uint32_t> lines;
-  lines.reserve(part.mesh.triangles.size() * 3);
-  for (const auto& triangle : part.mesh.triangles) {
+  lines.reserve(trianglesOf(source).size() * 3);
+  for (const auto& triangle : trianglesOf(source)) {
     for (size_t k = 0; k < 3; ++k) {
       const uint32_t a = triangle[k], b = triangle[(k + 1) % 3];
       if (a < b) {  // the triangle on the other side has it the other way round
@@ -70,21 +99,20 @@ void fillEdges(GpuMesh& gpu, const Part& part) {
   if (!gpu.edge_array) {
     gpu.edges = makeBuffer();
     gpu.edge_array = makeVertexArray();
-    glBindVertexArray(gpu.edge_array.name());
-    glBindBuffer(GL_ARRAY_BUFFER, gpu.vertices.name());
-    bindVertexLayout();
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, gpu.edges.name());
   }
   glBindVertexArray(gpu.edge_array.name());
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(lines.size() * sizeof(uint32_t)),
-               lines.data(), GL_DYNAMIC_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, gpu.vertices.name());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, gpu.edges.name());
+  bindLayout(&source);
+  upload(GL_ELEMENT_ARRAY_BUFFER, lines);
   glBindVertexArray(0);
   gpu.edge_indices = static_cast<GLsizei>(lines.size());
 }
 
 }  // namespace
 
-GpuCache::Entry& GpuCache::entry(uint64_t id, const Part& part) {
+template <typename Source>
+GpuMesh& GpuCache::find(uint64_t id, const Source& source) {
   const auto [found, is_new] = entries_.try_emplace(id);
   Entry& entry = found->second;
   if (is_new) {
@@ -94,18 +122,26 @@ GpuCache::Entry& GpuCache::entry(uint64_t id, const Part& part) {
       entry.mesh = std::move(spare_.back());
       spare_.pop_back();
     }
-    fill(entry.mesh, part);
+    fill(entry.mesh, source);
   }
   entry.last_used = frame_;
-  return entry;
+  return entry.mesh;
 }
 
-const GpuMesh& GpuCache::mesh(uint64_t id, const Part& part) { return entry(id, part).mesh; }
-
-const GpuMesh& GpuCache::meshWithEdges(uint64_t id, const Part& part) {
-  GpuMesh& mesh = entry(id, part).mesh;
-  if (mesh.edge_indices == 0) fillEdges(mesh, part);
+template <typename Source>
+GpuMesh& GpuCache::findWithEdges(uint64_t id, const Source& source) {
+  GpuMesh& mesh = find(id, source);
+  if (mesh.edge_indices == 0) fillEdges(mesh, source);
   return mesh;
+}
+
+const GpuMesh& GpuCache::mesh(uint64_t id, const Part& part) { return find(id, part); }
+const GpuMesh& GpuCache::mesh(uint64_t id, const Figure& figure) { return find(id, figure); }
+const GpuMesh& GpuCache::meshWithEdges(uint64_t id, const Part& part) {
+  return findWithEdges(id, part);
+}
+const GpuMesh& GpuCache::meshWithEdges(uint64_t id, const Figure& figure) {
+  return findWithEdges(id, figure);
 }
 
 void GpuCache::endFrame() {

@@ -5,13 +5,15 @@
 #include <unordered_map>
 #include <vector>
 
+#include "figure/figure.h"
 #include "part/part.h"
 #include "render/gl.h"
 
 namespace marrow {
 
 struct GpuMesh {
-  GlVertexArray vertex_array;  // location 0: position, 1: normal; both from the origin below
+  /// Location 0: position from the origin below, 1: normal; of figures also 2: weights, 3: joints.
+  GlVertexArray vertex_array;
   GlBuffer vertices, triangles;
   GlVertexArray edge_array;  // the same vertices, with every edge once as a line
   GlBuffer edges;
@@ -23,8 +25,10 @@ class GpuCache {
  public:
   /// Uploads what is drawn for the first time.
   const GpuMesh& mesh(uint64_t id, const Part& part);
+  const GpuMesh& mesh(uint64_t id, const Figure& figure);
   /// The same with its edges.
   const GpuMesh& meshWithEdges(uint64_t id, const Part& part);
+  const GpuMesh& meshWithEdges(uint64_t id, const Figure& figure);
   /// Call once a frame: meshes that were not asked for in a while are dropped.
   void endFrame();
   size_t size() const { return entries_.size(); }
@@ -34,7 +38,10 @@ class GpuCache {
     GpuMesh mesh;
     uint64_t last_used = 0;
   };
-  Entry& entry(uint64_t id, const Part& part);
+  template <typename Source>
+  GpuMesh& find(uint64_t id, const Source& source);
+  template <typename Source>
+  GpuMesh& findWithEdges(uint64_t id, const Source& source);
 
   std::unordered_map<uint64_t, Entry> entries_;
   std::vector<GpuMesh> spare_;  // buffers to be filled again

@@ -42,7 +42,7 @@ GroundShadow::GroundShadow()
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-void GroundShadow::makePicture(const Scene& scene, GpuCache& cache) {
+void GroundShadow::makePicture(const Scene& scene, GpuCache& cache, const Follows& follows) {
   const Box box = shadowBox(scene);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
@@ -54,12 +54,19 @@ void GroundShadow::makePicture(const Scene& scene, GpuCache& cache) {
   cast_.use();
   cast_.set("u_box", box.x, box.z, box.half_width, box.half_depth);
   cast_.set("u_color", Rgba{1, 1, 1, 1});
-  for (const Scene::Body& body : scene.bodies) {
-    const GpuMesh& mesh = cache.mesh(body.mesh_id, *body.part);
-    setPlace(cast_, body.frame, mesh.origin, {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}},
+  follows.set(cast_, scene.figure ? &*scene.figure : nullptr);
+  const auto cast = [&](const GpuMesh& mesh, const Frame& frame) {
+    setPlace(cast_, frame, mesh.origin, {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}},
              scene.camera.target);
     glBindVertexArray(mesh.vertex_array.name());
     glDrawElements(GL_TRIANGLES, mesh.triangle_indices, GL_UNSIGNED_INT, nullptr);
+  };
+  if (scene.figure) {
+    cast(cache.mesh(scene.figure->mesh_id, *scene.figure->figure), Frame{});
+  } else {
+    for (const Scene::Body& body : scene.bodies) {
+      cast(cache.mesh(body.mesh_id, *body.part), body.frame);
+    }
   }
   blur_.use();
   blur_.set("u_picture", 0);
@@ -76,16 +83,21 @@ void GroundShadow::makePicture(const Scene& scene, GpuCache& cache) {
   }
 }
 
-void GroundShadow::draw(const Scene& scene, GpuCache& cache, Float3 clip_scale,
-                        GLuint framebuffer) {
+void GroundShadow::draw(const Scene& scene, GpuCache& cache, const Follows& follows,
+                        Float3 clip_scale, GLuint framebuffer) {
   if (scene.bodies.empty() || !(scene.high.x > scene.low.x)) return;
   uint64_t now = 1;
   for (const Scene::Body& body : scene.bodies) {
     now = fingerprint(&body.mesh_id, sizeof body.mesh_id, now);
     now = fingerprint(&body.frame, sizeof body.frame, now);
   }
+  if (scene.figure) {
+    const auto& joints = scene.figure->joints;
+    now = fingerprint(joints.data(), joints.size() * sizeof joints[0], scene.figure->mesh_id);
+    now = fingerprint(&scene.figure->skinning, sizeof scene.figure->skinning, now);
+  }
   if (now != fingerprint_) {
-    makePicture(scene, cache);
+    makePicture(scene, cache, follows);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     setViewport(scene);
     fingerprint_ = now;

@@ -1,6 +1,7 @@
 #include "render/program.h"
 
 #include <cmath>
+#include <string_view>
 
 #include "shaders.h"
 
@@ -13,8 +14,19 @@ constexpr const char* kVersion = "#version 300 es\n";
 constexpr const char* kVersion = "#version 330 core\n";
 #endif
 
+/// With the files that it includes: lines of their own, before all code.
+std::string sourceOf(std::string_view file) {
+  constexpr std::string_view kInclude = "#include \"";
+  std::string source(shaderSource(file));
+  for (size_t at = source.find(kInclude); at != std::string::npos; at = source.find(kInclude)) {
+    const size_t name = at + kInclude.size(), end = source.find('"', name);
+    source.replace(at, end + 1 - at, sourceOf(source.substr(name, end - name)));
+  }
+  return source;
+}
+
 GLuint compile(GLenum stage, const char* file) {
-  const std::string source = kVersion + std::string(shaderSource(file));
+  const std::string source = kVersion + sourceOf(file);
   const char* text = source.c_str();
   const GLuint shader = glCreateShader(stage);
   glShaderSource(shader, 1, &text, nullptr);

@@ -61,10 +61,11 @@ void Renderer::draw(const Scene& scene, const Textures& textures, GLuint framebu
   glDepthFunc(GL_LEQUAL);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glClear(GL_DEPTH_BUFFER_BIT);
+  if (scene.figure) follows_.update(scene.figure->joints);
   drawBackground();
   drawPictures(scene, textures);
   if (scene.show_shadow) {
-    shadow_.draw(scene, cache_, clipScale(scene.camera, scene), framebuffer);
+    shadow_.draw(scene, cache_, follows_, clipScale(scene.camera, scene), framebuffer);
   }
   if (scene.show_mesh) drawBodies(scene);
   if (scene.show_wireframe) drawWireframe(scene);
@@ -133,26 +134,56 @@ void Renderer::drawBodies(const Scene& scene) {
   setView(part_, scene.camera, scene);
   part_.set("u_outline_px", 0.0f);
   glCullFace(GL_BACK);
-  for (const Scene::Body& body : scene.bodies) {
-    const GpuMesh& mesh = cache_.mesh(body.mesh_id, *body.part);
-    setPlace(part_, body.frame, mesh.origin, axes, scene.camera.target);
-    part_.set("u_color", body.color);
-    glBindVertexArray(mesh.vertex_array.name());
-    glDrawElements(GL_TRIANGLES, mesh.triangle_indices, GL_UNSIGNED_INT, nullptr);
+  if (scene.figure) {
+    drawFigure(part_, scene,
+               [&](size_t stretch) { part_.set("u_color", scene.figure->colors[stretch]); });
+  } else {
+    follows_.set(part_, nullptr);
+    for (const Scene::Body& body : scene.bodies) {
+      const GpuMesh& mesh = cache_.mesh(body.mesh_id, *body.part);
+      setPlace(part_, body.frame, mesh.origin, axes, scene.camera.target);
+      part_.set("u_color", body.color);
+      glBindVertexArray(mesh.vertex_array.name());
+      glDrawElements(GL_TRIANGLES, mesh.triangle_indices, GL_UNSIGNED_INT, nullptr);
+    }
   }
   glDisable(GL_POLYGON_OFFSET_FILL);
 
   setView(wire_, scene.camera, scene);
   glCullFace(GL_FRONT);
-  for (const Scene::Body& body : scene.bodies) {
-    const GpuMesh& mesh = cache_.mesh(body.mesh_id, *body.part);
-    setPlace(wire_, body.frame, mesh.origin, axes, scene.camera.target);
-    wire_.set("u_outline_px", body.selected ? kSelectedOutline_px : kOutline_px);
-    wire_.set("u_color", body.selected ? kSelectedOutline : darker(body.color));
-    glBindVertexArray(mesh.vertex_array.name());
-    glDrawElements(GL_TRIANGLES, mesh.triangle_indices, GL_UNSIGNED_INT, nullptr);
+  if (scene.figure) {
+    wire_.set("u_outline_px", kOutline_px);
+    drawFigure(wire_, scene, [&](size_t stretch) {
+      wire_.set("u_color", darker(scene.figure->colors[stretch]));
+    });
+  } else {
+    follows_.set(wire_, nullptr);
+    for (const Scene::Body& body : scene.bodies) {
+      const GpuMesh& mesh = cache_.mesh(body.mesh_id, *body.part);
+      setPlace(wire_, body.frame, mesh.origin, axes, scene.camera.target);
+      wire_.set("u_outline_px", body.selected ? kSelectedOutline_px : kOutline_px);
+      wire_.set("u_color", body.selected ? kSelectedOutline : darker(body.color));
+      glBindVertexArray(mesh.vertex_array.name());
+      glDrawElements(GL_TRIANGLES, mesh.triangle_indices, GL_UNSIGNED_INT, nullptr);
+    }
   }
   glCullFace(GL_BACK);
+}
+
+/// prepare: called with the index of each stretch before it is drawn.
+template <typename Prepare>
+void Renderer::drawFigure(const Program& program, const Scene& scene, const Prepare& prepare) {
+  const Scene::PosedFigure& posed = *scene.figure;
+  const GpuMesh& mesh = cache_.mesh(posed.mesh_id, *posed.figure);
+  follows_.set(program, &posed);
+  setPlace(program, Frame{}, mesh.origin, scene.camera.axes(), scene.camera.target);
+  glBindVertexArray(mesh.vertex_array.name());
+  for (size_t i = 0; i < posed.colors.size(); ++i) {
+    const Figure::Stretch& stretch = posed.figure->stretches[i];
+    prepare(i);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(stretch.count * 3), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(stretch.first * 3 * sizeof(uint32_t)));
+  }
 }
 
 void Renderer::drawWireframe(const Scene& scene) {
@@ -163,11 +194,18 @@ void Renderer::drawWireframe(const Scene& scene) {
   setView(wire_, scene.camera, scene);
   wire_.set("u_outline_px", 0.0f);
   wire_.set("u_color", kWire);
-  for (const Scene::Body& body : scene.bodies) {
-    const GpuMesh& mesh = cache_.meshWithEdges(body.mesh_id, *body.part);
-    setPlace(wire_, body.frame, mesh.origin, axes, scene.camera.target);
+  follows_.set(wire_, scene.figure ? &*scene.figure : nullptr);
+  const auto draw = [&](const GpuMesh& mesh, const Frame& frame) {
+    setPlace(wire_, frame, mesh.origin, axes, scene.camera.target);
     glBindVertexArray(mesh.edge_array.name());
     glDrawElements(GL_LINES, mesh.edge_indices, GL_UNSIGNED_INT, nullptr);
+  };
+  if (scene.figure) {
+    draw(cache_.meshWithEdges(scene.figure->mesh_id, *scene.figure->figure), Frame{});
+    return;
+  }
+  for (const Scene::Body& body : scene.bodies) {
+    draw(cache_.meshWithEdges(body.mesh_id, *body.part), body.frame);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "render/follows.h"
 #include "render/gpu_cache.h"
 #include "render/ground_shadow.h"
 #include "render/instances.h"
@@ -26,6 +27,8 @@ class Renderer {
   void drawBackground();
   void drawPictures(const Scene& scene, const Textures& textures);
   void drawBodies(const Scene& scene);
+  template <typename Prepare>
+  void drawFigure(const Program& program, const Scene& scene, const Prepare& prepare);
   void drawWireframe(const Scene& scene);
   void drawSheets(const Scene& scene);
   void drawProxy(const Scene& scene);
@@ -36,6 +39,7 @@ class Renderer {
 
   Program background_, part_, wire_, sheet_, picture_, segment_, bone_, ball_, cone_;
   Instances segments_, octahedra_, balls_, tubes_;
+  Follows follows_;
   GroundShadow shadow_;
   GpuCache cache_;
   GlVertexArray nothing_;

@@ -53,6 +53,12 @@ uint64_t fingerprint(const Scene& scene) {
     hash = fingerprint(&body.frame, sizeof body.frame, hash);
     hash = fingerprint(&body.color, sizeof body.color, hash);
   }
+  if (scene.figure) {
+    const Scene::PosedFigure& figure = *scene.figure;
+    hash = mixed(mixed(hash, figure.mesh_id), static_cast<int>(figure.skinning));
+    hash = mixedFloats(mixed(hash, static_cast<int>(figure.show)), figure.joints);
+    hash = mixedFloats(hash, figure.colors);
+  }
   for (const Scene::Picture& picture : scene.pictures) {
     hash = mixed(mixed(hash, picture.texture), picture.opacity);
     hash = fingerprint(&picture.center, 3 * sizeof picture.center, hash);

@@ -2,12 +2,15 @@
 // relative to the camera's target, so that float is precise enough wherever the model lies.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/frame.h"
 #include "camera.h"
+#include "figure/figure.h"
 #include "part/part.h"
 
 namespace marrow {
@@ -28,6 +31,21 @@ struct Scene {
     Frame frame;
     Rgba color;
     bool selected = false;
+  };
+  /// The whole character as it is posed.
+  struct PosedFigure {
+    /// A joint's motion about the figure's origin, and its colour.
+    struct Joint {
+      std::array<float, 4> rotation{0, 0, 0, 1};
+      std::array<float, 4> move{}, color{};
+    };
+    enum class Show : uint8_t { parts, joints, weight };  // weight: the red of the joints' colours
+    uint64_t mesh_id = 0;
+    std::shared_ptr<const Figure> figure;
+    Skinning skinning = Skinning::linear;
+    Show show = Show::parts;
+    std::vector<Joint> joints;  // of the figure
+    std::vector<Rgba> colors;   // of its stretches
   };
   /// A see-through rectangle: the plane that a stroke is drawn in.
   struct Sheet {
@@ -72,6 +90,7 @@ struct Scene {
   Float3 low, high;  // box around the bodies
   std::vector<Picture> pictures;
   std::vector<Body> bodies;
+  std::optional<PosedFigure> figure;  // drawn in place of the bodies
   std::vector<Sheet> sheets;
   std::vector<Segment> overlay;  // straight skeletons
   std::vector<Ball> proxy_balls;

@@ -100,6 +100,16 @@ void Hand::begin(const DrawTool& gesture, bool shift, UiState& ui, const World& 
     case ToolKind::line:
       mode_ = Mode::line;
       break;
+    case ToolKind::pose: {
+      const Stance& stance = world.stance;
+      const auto joint = jointToGrab(from_px_, stance.posed, ui.camera, ui.size, ui.touch());
+      if (!joint) break;
+      const auto way = ui.posing.turns ? PoseTool::Way::turn : PoseTool::Way::pull;
+      pose_.begin(stance, *joint, way, from_px_, ui.camera, ui.size);
+      ui.posing.joint = stance.rest.joints[*joint].id;
+      mode_ = Mode::pose;
+      break;
+    }
   }
 }
 
@@ -117,6 +127,9 @@ void Hand::move(const DrawTool& gesture, UiState& ui, const World& world) {
   if (mode_ == Mode::transform) {
     transform_.move(to_px_);
     showTransform(ui);
+  } else if (mode_ == Mode::pose) {
+    pose_.move(to_px_);
+    showPose(ui);
   } else if (mode_ == Mode::contour) {
     contour_.move(to_px_);
     ui.edit.reset();
@@ -135,6 +148,10 @@ std::optional<Command> Hand::end(const DrawTool& gesture, UiState& ui, const Wor
     case Mode::contour:
       contour_.end();
       if (auto command = contour_.command()) return *command;
+      break;
+    case Mode::pose:
+      pose_.end();
+      if (pose_.changed()) return poseCommand(ui);
       break;
     case Mode::box: {
       if (!shift_) ui.selection.clear();
@@ -158,13 +175,25 @@ std::optional<Command> Hand::end(const DrawTool& gesture, UiState& ui, const Wor
 }
 
 void Hand::cancel(UiState& ui) {
-  if (mode_ == Mode::transform || mode_ == Mode::contour) ui.edit.reset();
+  if (mode_ == Mode::transform || mode_ == Mode::contour || mode_ == Mode::pose) ui.edit.reset();
   transform_.end();
+  pose_.end();
   contour_.end();
   mode_ = Mode::idle;
 }
 
 bool Hand::beginByKey(TransformKind kind, Vec2 pointer_px, UiState& ui, const World& world) {
+  if (ui.tool == ToolKind::pose) {
+    const auto& joints = world.stance.rest.joints;
+    const auto chosen = std::find_if(joints.begin(), joints.end(), [&](const Rig::Joint& joint) {
+      return joint.id == ui.posing.joint;
+    });
+    if (chosen == joints.end() || kind == TransformKind::scale) return false;
+    pose_.beginByKey(world.stance, static_cast<uint32_t>(chosen - joints.begin()), kind, pointer_px,
+                     ui.camera, ui.size);
+    mode_ = Mode::pose;
+    return true;
+  }
   const auto ids = changeable(ui.selection, world.evaluation);
   const auto pivot = selectionPivot(ui.selection, world.evaluation);
   if (ids.empty() || !pivot) return false;
@@ -174,22 +203,44 @@ bool Hand::beginByKey(TransformKind kind, Vec2 pointer_px, UiState& ui, const Wo
 }
 
 void Hand::follow(Vec2 pointer_px, UiState& ui) {
+  if (mode_ == Mode::pose) {
+    pose_.move(pointer_px);
+    showPose(ui);
+    return;
+  }
   transform_.move(pointer_px);
   showTransform(ui);
 }
 
 bool Hand::key(char character, UiState& ui) {
+  if (mode_ == Mode::pose && pose_.key(character)) {
+    showPose(ui);
+    return true;
+  }
   if (mode_ != Mode::transform || !transform_.key(character)) return false;
   showTransform(ui);
   return true;
 }
 
 std::optional<Command> Hand::finishByKey(UiState& ui) {
-  mode_ = Mode::idle;
-  transform_.end();
+  const Mode mode = std::exchange(mode_, Mode::idle);
   ui.edit.reset();
+  if (mode == Mode::pose) {
+    pose_.end();
+    if (!pose_.changed()) return std::nullopt;
+    return poseCommand(ui);
+  }
+  transform_.end();
   if (!transform_.changed()) return std::nullopt;
   return transform_.command();
+}
+
+Command Hand::poseCommand(const UiState& ui) const {
+  return SetPose{ui.posing.pose, withoutResting(pose_.pose())};
+}
+
+void Hand::showPose(UiState& ui) {
+  if (pose_.changed()) ui.edit = PendingEdit{poseCommand(ui)};
 }
 
 void Hand::showTransform(UiState& ui) {

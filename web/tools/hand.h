@@ -10,6 +10,7 @@
 #include "tools/contour_tool.h"
 #include "tools/draw_tool.h"
 #include "tools/gizmo.h"
+#include "tools/pose_tool.h"
 #include "tools/stroke_place.h"
 #include "tools/transform_tool.h"
 #include "ui_state.h"
@@ -18,13 +19,14 @@ namespace marrow {
 
 class Hand {
  public:
-  enum class Mode : uint8_t { idle, stroke, box, transform, contour, line };
+  enum class Mode : uint8_t { idle, stroke, box, transform, contour, line, pose };
 
   /// What it needs to know of the rest.
   struct World {
     const Document& document;
     const Evaluation& evaluation;
-    Vec3 ground;  // the middle of what the model stands on
+    Vec3 ground;           // the middle of what the model stands on
+    const Stance& stance;  // while poses are made
   };
 
   void begin(const DrawTool& gesture, bool shift, UiState& ui, const World& world);
@@ -43,9 +45,12 @@ class Hand {
   std::optional<Command> finishByKey(UiState& ui);
 
   Mode mode() const { return mode_; }
-  bool followsKey() const { return mode_ == Mode::transform && transform_.byKey(); }
+  bool followsKey() const {
+    return (mode_ == Mode::transform && transform_.byKey()) || posing().byKey();
+  }
   const TransformTool& transform() const { return transform_; }
   const ContourTool& contour() const { return contour_; }
+  const PoseTool& posing() const { return pose_; }
   const StrokePlace& place() const { return place_; }
   /// Corners of the box, or ends of the line, CSS pixels.
   Vec2 from_px() const { return from_px_; }
@@ -53,6 +58,8 @@ class Hand {
 
  private:
   void showTransform(UiState& ui);
+  void showPose(UiState& ui);
+  Command poseCommand(const UiState& ui) const;
 
   Mode mode_ = Mode::idle;
   bool shift_ = false;
@@ -61,6 +68,7 @@ class Hand {
   StrokePlace place_;
   TransformTool transform_;
   ContourTool contour_;
+  PoseTool pose_;
 };
 
 /// Ids of the selected parts that can be changed on the canvas.

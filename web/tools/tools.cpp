@@ -89,6 +89,10 @@ Tools::Outcome Tools::down(const PointerEvent& event, UiState& ui, const Surroun
   } else if (draw_.active()) {
     owner = Owner::nobody;
   }
+  if (owner == Owner::draw && !around.takes(event.position_px)) {
+    owner = Owner::navigate;
+    mode = NavigateTool::Mode::orbit;
+  }
   owners_[event.id] = owner;
   if (owner == Owner::draw) {
     beginGesture(event, ui);

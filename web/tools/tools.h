@@ -15,6 +15,8 @@ namespace marrow {
 struct Surroundings {
   std::function<bool(Vec2)> panel_at;  // is there a panel under this pixel?
   Vec3 pivot;                          // what the view turns about
+  /// Whether the tool takes hold of something there; else the view turns.
+  std::function<bool(Vec2)> takes;
 };
 
 /// A pointer belongs to whom it went down on until it goes up.

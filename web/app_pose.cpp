@@ -1,0 +1,158 @@
+// Poses: what of them is shown, and the figure that takes them.
+#include <algorithm>
+
+#include "app.h"
+#include "document/symmetry.h"
+
+namespace marrow {
+namespace {
+
+constexpr double kGlide_ms = 240;
+
+}  // namespace
+
+void App::workMade(uint64_t number, const std::string& bytes) {
+  const bool was_there = figure_.figure() != nullptr;
+  figure_.made(number, bytes);
+  const auto& figure = figure_.figure();
+  if (figure && !was_there && !figure->left_out.empty()) say(figure->left_out.front());
+  redraw();
+}
+
+void App::workProgress(uint64_t number, double done) {
+  figure_.progress(number, done);
+  if (ui_.tool == ToolKind::pose) redraw();
+}
+
+void App::workEnded(uint64_t number, const std::string& why) {
+  figure_.ended(number, why);
+  redraw();
+}
+
+void App::updateFigure(FrameResult& result) {
+  const bool busy = tools_.drawing().active() && hand_.mode() != Hand::Mode::pose;
+  const bool posing = ui_.tool == ToolKind::pose;
+  const auto order = figure_.update(shown_, busy || (ui_.edit && !posing), posing, ui_.now_ms);
+  if (order) {
+    Job job;
+    job.kind = Job::Kind::work;
+    job.number = order->number;
+    job.text = order->request;
+    shelf_.keeping.ask(std::move(job));
+    result.again = true;
+  }
+  result.wake_after_ms = std::min(result.wake_after_ms, figure_.due_ms() - ui_.now_ms);
+  result.again |= posing && ui_.now_ms - glide_since_ms_ < kGlide_ms;
+}
+
+/// The pose to be shown once nothing glides any more.
+Pose App::wantedPose() const {
+  if (hand_.mode() == Hand::Mode::pose) return hand_.posing().pose();
+  const auto joints = [&](const std::string& name) {
+    const NamedPose* pose = shown_.findPose(name);
+    return pose ? pose->joints : Pose{};
+  };
+  const Pose base = joints(ui_.posing.pose);
+  if (!(ui_.posing.amount > 0)) return base;
+  return mixed(base, joints(ui_.posing.mix), ui_.posing.amount);
+}
+
+void App::updateStance() {
+  if (ui_.tool != ToolKind::pose) {
+    stance_ = {};
+    stance_rig_ = 0;
+    shown_pose_.clear();
+    wanted_pose_.clear();
+    return;
+  }
+  const Pose wanted = wantedPose();
+  const bool by_hand = hand_.mode() == Hand::Mode::pose || ui_.posing.amount != last_amount_;
+  last_amount_ = ui_.posing.amount;
+  if (wanted != wanted_pose_) {
+    if (by_hand) {
+      glide_since_ms_ = -1e9;
+    } else {
+      glide_from_ = shown_pose_;
+      glide_since_ms_ = ui_.now_ms;
+    }
+    wanted_pose_ = wanted;
+  }
+  const double t = (ui_.now_ms - glide_since_ms_) / kGlide_ms;
+  const Pose now = t < 1 ? mixed(glide_from_, wanted_pose_, t * t * (3 - 2 * t)) : wanted_pose_;
+
+  const auto joint_of = [&](const std::string& id) -> std::optional<uint32_t> {
+    const auto& joints = stance_.rest.joints;
+    for (size_t i = 0; i < joints.size(); ++i) {
+      if (joints[i].id == id) return static_cast<uint32_t>(i);
+    }
+    return std::nullopt;
+  };
+  const bool same_rig = stance_rig_ == evaluation_.rigId();
+  if (!same_rig) {
+    stance_.rest = stance_.posed = evaluation_.rig();
+    stance_rig_ = evaluation_.rigId();
+  }
+  stance_.pins.clear();
+  for (const std::string& id : ui_.posing.pins) {
+    if (const auto joint = joint_of(id)) stance_.pins.push_back(*joint);
+  }
+  if (same_rig && now == shown_pose_) return;
+  shown_pose_ = stance_.pose = now;
+  const std::vector<Rigid> motions = posed(stance_.rest, now);
+  for (size_t i = 0; i < motions.size(); ++i) {
+    stance_.posed.joints[i].position = motions[i](stance_.rest.joints[i].position);
+  }
+}
+
+// What a hand changes is a pose of its own: never the rest, and not what two are mixed from.
+void App::beginPosing() {
+  Posing& posing = ui_.posing;
+  if (document().findPose(posing.pose) && !(posing.amount > 0)) return;
+  posing.pose = freshPoseName(document());
+  posing.amount = last_amount_ = 0;
+}
+
+bool App::posingKey(char character) {
+  Posing& posing = ui_.posing;
+  switch (character) {
+    case 'n':
+    case 'N':
+      if (posing.joint.empty()) {
+        say("Choose a joint first: click it.");
+      } else if (posing.pins.erase(posing.joint) == 0) {
+        posing.pins.insert(posing.joint);
+      }
+      return true;
+    case 't':
+    case 'T':
+      posing.turns = !posing.turns;
+      return true;
+    case 'w':
+    case 'W':
+      posing.weights = posing.weights == Posing::Weights::hidden ? Posing::Weights::all
+                       : posing.weights == Posing::Weights::all  ? Posing::Weights::joint
+                                                                 : Posing::Weights::hidden;
+      return true;
+    case 'g':
+    case 'G':
+    case 'r':
+    case 'R':
+      beginPosing();
+      transformByKey(character == 'g' || character == 'G' ? TransformKind::move
+                                                          : TransformKind::rotate);
+      return true;
+    case 's':
+    case 'S':
+    case 'x':
+    case 'X':
+    case 'D':
+    case 'h':
+    case '[':
+    case ']':
+      return true;  // parts are not changed while poses are made
+    default:
+      return false;
+  }
+}
+
+}  // namespace marrow

@@ -1,0 +1,208 @@
+#include "figure/figure.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+
+namespace marrow {
+namespace {
+
+class Writer {
+ public:
+  template <typename T>
+  void put(const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  void put(const std::string& text) {
+    put(static_cast<uint32_t>(text.size()));
+    bytes_ += text;
+  }
+  template <typename T>
+  void putAll(const std::vector<T>& values) {
+    put(static_cast<uint32_t>(values.size()));
+    if constexpr (std::is_trivially_copyable_v<T>) {
+      bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+    } else {
+      for (const T& value : values) put(value);
+    }
+  }
+  void put(const Figure::Joint& joint) {
+    put(joint.id);
+    put(joint.parent);
+  }
+  void put(const Figure::Stretch& stretch) {
+    put(stretch.part);
+    put(stretch.first);
+    put(stretch.count);
+  }
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+};
+
+class Reader {
+ public:
+  explicit Reader(const std::string& bytes) : bytes_(bytes) {}
+
+  template <typename T>
+  void get(T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    if (const char* from = take(sizeof value)) std::memcpy(&value, from, sizeof value);
+  }
+  void get(std::string& text) {
+    uint32_t size = 0;
+    get(size);
+    if (const char* from = take(size)) text.assign(from, size);
+  }
+  template <typename T>
+  void getAll(std::vector<T>& values) {
+    uint32_t count = 0;
+    get(count);
+    if constexpr (std::is_trivially_copyable_v<T>) {
+      const char* from = take(count * sizeof(T));
+      if (!from) return;
+      values.resize(count);
+      if (count > 0) std::memcpy(values.data(), from, count * sizeof(T));
+    } else {
+      for (uint32_t i = 0; i < count && fine_; ++i) get(values.emplace_back());
+    }
+  }
+  void get(Figure::Joint& joint) {
+    get(joint.id);
+    get(joint.parent);
+  }
+  void get(Figure::Stretch& stretch) {
+    get(stretch.part);
+    get(stretch.first);
+    get(stretch.count);
+  }
+  bool atEnd() const { return fine_ && at_ == bytes_.size(); }
+
+ private:
+  const char* take(size_t count) {
+    fine_ &= count <= bytes_.size() - at_;
+    if (!fine_) return nullptr;
+    at_ += count;
+    return bytes_.data() + at_ - count;
+  }
+
+  const std::string& bytes_;
+  size_t at_ = 0;
+  bool fine_ = true;
+};
+
+std::array<float, 3> toFloats(Vec3 v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+Vec3 toVec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
+
+}  // namespace
+
+Result<Figure> figureOf(const Character& character, const Evaluation& evaluation) {
+  if (character.meshes.size() != 1) return {Status::meshFailed, "There is no figure."};
+  const Rig& rig = evaluation.rig();
+  if (rig.joints.size() > std::numeric_limits<uint16_t>::max()) {
+    return {Status::tooMany, "The skeleton has too many joints to be posed."};
+  }
+  const SkinnedMesh& mesh = character.meshes.front();
+  Figure figure;
+  figure.origin = mesh.mesh.positions.empty() ? Vec3{} : mesh.mesh.positions.front();
+  figure.vertices.resize(mesh.mesh.positions.size());
+  for (size_t i = 0; i < figure.vertices.size(); ++i) {
+    Figure::Vertex& vertex = figure.vertices[i];
+    vertex = {toFloats(mesh.mesh.positions[i] - figure.origin), toFloats(mesh.normals[i]), {}, {}};
+    if (mesh.skin.empty()) continue;
+    for (size_t k = 0; k < VertexSkin::kMost; ++k) {
+      vertex.weights[k] = static_cast<float>(mesh.skin[i].weights[k]);
+      vertex.joints[k] = static_cast<uint16_t>(mesh.skin[i].joints[k]);
+    }
+  }
+  for (const Paint& paint : character.paints) figure.stretches.push_back({paint.part, 0, 0});
+  for (const uint32_t paint : mesh.paint_of_triangle) ++figure.stretches[paint].count;
+  uint32_t first = 0;
+  for (Figure::Stretch& stretch : figure.stretches) {
+    stretch.first = std::exchange(first, first + stretch.count);
+  }
+  std::vector<uint32_t> next;
+  for (const Figure::Stretch& stretch : figure.stretches) next.push_back(stretch.first);
+  figure.triangles.resize(mesh.mesh.triangles.size());
+  for (size_t t = 0; t < figure.triangles.size(); ++t) {
+    figure.triangles[next[mesh.paint_of_triangle[t]]++] = mesh.mesh.triangles[t];
+  }
+  for (const Rig::Joint& joint : rig.joints) figure.joints.push_back({joint.id, joint.parent});
+  for (const Character::LeftOut& out : character.left_out) {
+    const auto paint = std::find_if(character.paints.begin(), character.paints.end(),
+                                    [&](const Paint& one) { return one.part == out.part; });
+    const std::string name = paint != character.paints.end() ? paint->name : out.part;
+    figure.left_out.push_back(name + " is left out of the figure: " + out.why + ".");
+  }
+  return figure;
+}
+
+std::string toBytes(const Figure& figure) {
+  Writer writer;
+  writer.put(figure.origin);
+  writer.putAll(figure.vertices);
+  writer.putAll(figure.triangles);
+  writer.putAll(figure.stretches);
+  writer.putAll(figure.joints);
+  writer.putAll(figure.left_out);
+  writer.put(figure.guessed);
+  writer.put(figure.made_ms);
+  return writer.take();
+}
+
+Result<Figure> figureFromBytes(const std::string& bytes) {
+  Figure figure;
+  Reader reader(bytes);
+  reader.get(figure.origin);
+  reader.getAll(figure.vertices);
+  reader.getAll(figure.triangles);
+  reader.getAll(figure.stretches);
+  reader.getAll(figure.joints);
+  reader.getAll(figure.left_out);
+  reader.get(figure.guessed);
+  reader.get(figure.made_ms);
+  if (!reader.atEnd()) return {Status::unreadable, "The figure did not arrive whole."};
+  return figure;
+}
+
+std::vector<Rigid> motionsOf(const Figure& figure, const Rig& rig,
+                             const std::vector<Rigid>& posed) {
+  std::unordered_map<std::string, size_t> joint_of_id;
+  for (size_t i = 0; i < rig.joints.size(); ++i) joint_of_id.emplace(rig.joints[i].id, i);
+  std::vector<Rigid> motions(figure.joints.size());
+  for (size_t i = 0; i < figure.joints.size(); ++i) {
+    const auto found = joint_of_id.find(figure.joints[i].id);
+    if (found != joint_of_id.end()) {
+      motions[i] = posed[found->second];
+    } else if (figure.joints[i].parent >= 0) {
+      motions[i] = motions[static_cast<size_t>(figure.joints[i].parent)];
+    }
+  }
+  return motions;
+}
+
+Vec3 posedVertex(const Figure& figure, uint32_t index, const std::vector<Rigid>& motions,
+                 Skinning how) {
+  const Figure::Vertex& vertex = figure.vertices[index];
+  VertexSkin own;
+  double sum = 0;
+  for (size_t k = 0; k < VertexSkin::kMost; ++k) {
+    own.joints[k] = vertex.joints[k];
+    own.weights[k] = vertex.weights[k];
+    sum += own.weights[k];
+  }
+  const Vec3 at = figure.origin + toVec(vertex.position);
+  if (!(sum > 0)) return at;
+  SkinnedVertices result;
+  skin({at}, {toVec(vertex.normal)}, {own}, motions, how, result);
+  return result.positions.front();
+}
+
+}  // namespace marrow

@@ -1,0 +1,68 @@
+// Keeps the figure up to date by work that the platform does elsewhere: when the rig or the mesh
+// has changed it asks for another one, and what is under way for an older one is given up.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "document/evaluation.h"
+#include "figure/figure.h"
+
+namespace marrow {
+
+class FigureKeeper {
+ public:
+  // How long the drawing must stay as it is before work begins.
+  static constexpr double kCalm_ms = 900, kCalmWhilePosing_ms = 80;
+
+  /// What the platform is to do: begin this work in place of what is under way; an empty request:
+  /// only give that up.
+  struct Order {
+    uint64_t number = 0;
+    std::string request;
+  };
+  /// Looks at the drawing after every change of it.
+  void see(const Document& document, const Evaluation& evaluation, double now_ms);
+  /// Once a frame, with the document seen last. busy: it is changing under a hand. posing: somebody
+  /// waits.
+  std::optional<Order> update(const Document& document, bool busy, bool posing, double now_ms);
+  /// When `update` has something to do even if nothing happens.
+  double due_ms() const { return due_ms_; }
+
+  // What the platform tells of the work with this number; of any other than the last it is ignored.
+  void made(uint64_t number, const std::string& bytes);
+  void progress(uint64_t number, double done);
+  /// why: a sentence where the work came to nothing.
+  void ended(uint64_t number, const std::string& why);
+
+  /// Of the drawing's present mesh, or null. Its weights may be a guess, or of the rig before.
+  const std::shared_ptr<const Figure>& figure() const { return shown_; }
+  /// Changes with the figure; never reused, nor that of any other mesh.
+  uint64_t meshId() const { return mesh_id_; }
+  /// It is of the drawing as it is now, with its final weights.
+  bool ready() const { return shown_ && of_rig_ == wanted_rig_ && !shown_->guessed; }
+  /// 0 … 1 while one is made, else −1.
+  double done() const { return number_ == 0 ? -1 : done_; }
+  /// Why there is none; empty: there is no reason why not.
+  const std::string& failure() const { return failure_; }
+  size_t ordered() const { return ordered_; }
+
+ private:
+  std::shared_ptr<const Figure> made_, shown_;
+  uint64_t of_mesh_ = 0, of_rig_ = 0;          // what made_ was made of
+  uint64_t wanted_mesh_ = 0, wanted_rig_ = 0;  // what there is now; 0: nothing
+  uint64_t begun_ = 0;  // wanted_rig_ of the work under way, or of what failed
+  double changed_ms_ = 0;
+  double due_ms_ = std::numeric_limits<double>::infinity();
+  uint64_t number_ = 0;  // of the work under way; 0: none
+  uint64_t begun_mesh_ = 0;
+  size_t ordered_ = 0;
+  double done_ = 0;
+  uint64_t mesh_id_ = uint64_t{1} << 63;  // the evaluation counts up from 1
+  std::string failure_;
+};
+
+}  // namespace marrow

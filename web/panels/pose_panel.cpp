@@ -1,0 +1,269 @@
+// Poses by name, what can be done with the one that is shown, and how the skin follows.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "document/symmetry.h"
+#include "icons.h"
+#include "panels/layout.h"
+#include "panels/panel.h"
+
+namespace marrow {
+namespace {
+
+constexpr size_t kMostRows = 5;  // the list scrolls beyond
+
+void renamePose(const PanelInput& input, const TypedText& typed, UiState& ui, Requests& requests) {
+  const bool exists = input.shown.findPose(typed.owner) != nullptr;
+  if (!exists || typed.text.empty() || typed.text == typed.owner) return;
+  requests.commands.push_back(RenamePose{typed.owner, typed.text});
+  if (ui.posing.pose == typed.owner && !input.shown.findPose(typed.text)) {
+    ui.posing.pose = typed.text;
+  }
+}
+
+class PosePanel {
+ public:
+  PosePanel(const PanelInput& input, UiState& ui, Requests& requests)
+      : input_(input),
+        ui_(ui),
+        posing_(ui.posing),
+        requests_(requests),
+        height_(rowHeight(ui)),
+        current_(input.shown.findPose(ui.posing.pose)) {}
+
+  void draw() {
+    beginPanel("pose", ui_.narrow() ? sheetBox(ui_) : columnBox(ui_));
+    if (titleRow("Poses", ui_)) close();
+    progress();
+    list();
+    thisPose();
+    mix();
+    heading("A drag");
+    choose("drag", {{"pull", "Pulls the limb"}, {"turn", "Turns the bone"}}, posing_.turns);
+    heading("Skin at the joints");
+    bool dual = posing_.skinning == Skinning::dualQuaternions;
+    choose("skin", {{"linear", "Simple"}, {"dual", "Keeps volume"}}, dual);
+    posing_.skinning = dual ? Skinning::dualQuaternions : Skinning::linear;
+    weights();
+    endPanel();
+  }
+
+ private:
+  void close() {
+    if (ui_.narrow()) {
+      ui_.open.pose = false;
+      requests_.again = true;
+    } else {
+      requests_.key = 'p';
+    }
+  }
+
+  void progress() {
+    const FigureKeeper& figure = input_.figure;
+    if (!figure.failure().empty()) {
+      softText(figure.failure().c_str());
+      return;
+    }
+    if (figure.ready()) return;
+    std::string text = "Fitting the skin\xE2\x80\xA6";
+    if (figure.done() > 0) {
+      text += " " + std::to_string(static_cast<int>(std::lround(100 * figure.done()))) + " %";
+    }
+    softText(text.c_str());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float done = static_cast<float>(std::clamp(figure.done(), 0.03, 1.0));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, {at.x + width, at.y + 4}, Theme::kHairline, 2);
+    list.AddRectFilled(at, {at.x + width * done, at.y + 4}, Theme::kAccent, 2);
+    ImGui::Dummy({width, 6});
+  }
+
+  void list() {
+    const size_t rows = input_.shown.poses.size() + 1;
+    const float room = height_ * static_cast<float>(std::min(rows, kMostRows));
+    beginScrolling("poses", room, ui_.touch());
+    ButtonLook look{"As it was drawn; always there"};
+    look.on = !current_;
+    look.width = ImGui::GetContentRegionAvail().x;
+    if (textButton("rest", "At rest", height_, look)) show({});
+    for (size_t i = 0; i < input_.shown.poses.size(); ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      row(*input_.shown.poses[i]);
+      ImGui::PopID();
+    }
+    endScrolling();
+    look = {"Another pose, to begin with as this one"};
+    look.raised = true;
+    look.width = ImGui::GetContentRegionAvail().x;
+    if (textButton("new", "New pose", height_, look)) {
+      const std::string name = freshPoseName(input_.shown);
+      ask(SetPose{name, withoutResting(input_.stance.pose)});
+      posing_.amount = 0;
+      show(name);
+    }
+  }
+
+  void row(const NamedPose& pose) {
+    const float width = ImGui::GetContentRegionAvail().x - height_;
+    if (&pose == current_) {
+      ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                          ImVec2(10, (height_ - ImGui::GetFontSize()) / 2));
+      const auto typed = textField("name", pose.name, pose.name, "", width - 4);
+      ImGui::PopStyleVar();
+      tooltipForLastItem("The pose's name");
+      if (typed) renamePose(input_, {pose.name, *typed}, ui_, requests_);
+    } else {
+      ButtonLook look;
+      look.width = width - 4;
+      if (textButton("pose", pose.name.c_str(), height_, look)) show(pose.name);
+    }
+    ImGui::SameLine(0, 4);
+    ButtonLook look{"Delete this pose"};
+    look.danger = look.quiet = true;
+    if (iconButton("delete", kIconTrash2, height_, look)) ask(DeletePose{pose.name});
+  }
+
+  void thisPose() {
+    const float half = (ImGui::GetContentRegionAvail().x - 8) / 2;
+    ButtonLook look{"Left becomes right  "};
+    look.raised = true;
+    look.width = half;
+    look.enabled = current_ && symmetryPlane(input_.shown);
+    if (textButton("mirror", "Mirror", height_, look)) mirror();
+    ImGui::SameLine();
+    look.tooltip = "All bones as they were drawn";
+    look.enabled = current_ && !current_->joints.empty();
+    if (textButton("resetAll", "Reset all", height_, look)) ask(SetPose{current_->name, {}});
+    const auto joint = chosen();
+    look.tooltip = "The chosen bone as it was drawn";
+    look.enabled = current_ && joint && current_->joints.count(boneId(*joint)) > 0;
+    if (textButton("resetBone", "Reset bone", height_, look)) {
+      Pose pose = current_->joints;
+      pose.erase(boneId(*joint));
+      ask(SetPose{current_->name, pose});
+    }
+    ImGui::SameLine();
+    const bool pinned = posing_.pins.count(posing_.joint) > 0;
+    look.tooltip = "The chosen joint stays where it is while others are pulled  (N)";
+    look.enabled = joint.has_value();
+    look.on = pinned;
+    if (textButton("pin", pinned ? "Unpin joint" : "Pin joint", height_, look)) requests_.key = 'n';
+    if (!joint) softText("Drag a joint or a limb. Click a joint to choose it.");
+  }
+
+  void mirror() {
+    const auto plane = symmetryPlane(input_.shown);
+    const auto partners = mirrorPartners(input_.stance.rest, input_.evaluation.placed(), *plane);
+    const Pose mirrored = mirroredPose(input_.stance.rest, current_->joints, *plane, partners);
+    ask(SetPose{current_->name, withoutResting(mirrored)});
+  }
+
+  // Between the pose that is chosen and another one.
+  void mix() {
+    std::vector<std::string> others;
+    if (current_) others.push_back({});
+    for (const auto& pose : input_.shown.poses) {
+      if (pose.get() != current_) others.push_back(pose->name);
+    }
+    if (others.empty()) {
+      posing_.amount = 0;
+      return;
+    }
+    const auto found = std::find(others.begin(), others.end(), posing_.mix);
+    if (found == others.end()) posing_.mix = others.back();
+    const size_t at =
+        static_cast<size_t>(std::find(others.begin(), others.end(), posing_.mix) - others.begin());
+    const std::string name = posing_.mix.empty() ? "At rest" : posing_.mix;
+    headingWithNote("Mix with", name.c_str());
+    const bool several = others.size() > 1;
+    float t = static_cast<float>(posing_.amount);
+    const float width = ImGui::GetContentRegionAvail().x - (several ? height_ + 4 : 0);
+    const SliderEvent event = slider("mix", t, 0, height_, width);
+    tooltipForLastItem("From this pose to the other one.\nDouble click: back");
+    if (several) {
+      ImGui::SameLine(0, 4);
+      if (iconButton("other", kIconChevronRight, height_, {"Mix with the next one"})) {
+        posing_.mix = others[(at + 1) % others.size()];
+        requests_.again = true;
+      }
+    }
+    if (event.changed) posing_.amount = t;
+    if (event.reset) posing_.amount = 0;
+    requests_.again |= event.changed || event.released || event.reset;
+    if (!(posing_.amount > 0)) return;
+    ButtonLook look{"A new pose as it is shown now"};
+    look.raised = true;
+    look.width = ImGui::GetContentRegionAvail().x;
+    if (textButton("keepMix", "Keep as a new pose", height_, look)) {
+      const std::string kept = freshPoseName(input_.shown);
+      ask(SetPose{kept, withoutResting(input_.stance.pose)});
+      posing_.amount = 0;
+      show(kept);
+    }
+  }
+
+  void weights() {
+    heading("Weights");
+    const std::vector<Choice> all{{"hidden", "Hidden"}, {"joint", "One bone"}, {"all", "All"}};
+    const size_t now = static_cast<size_t>(posing_.weights);
+    const size_t next = choices(all, now, height_);
+    if (next != now) {
+      posing_.weights = static_cast<Posing::Weights>(next);
+      requests_.again = true;
+    }
+    if (posing_.weights == Posing::Weights::joint) {
+      softText(chosen() ? "How much the chosen bone holds: dark nothing, light all."
+                        : "Click a joint to see what its bone holds.");
+    }
+  }
+
+  void choose(const char* id, const std::vector<Choice>& two, bool& second) {
+    ImGui::PushID(id);
+    const size_t next = choices(two, second ? 1 : 0, height_);
+    ImGui::PopID();
+    if ((next == 1) == second) return;
+    second = next == 1;
+    requests_.again = true;
+  }
+
+  std::optional<size_t> chosen() const {
+    const auto& joints = input_.stance.rest.joints;
+    for (size_t i = 0; i < joints.size(); ++i) {
+      if (joints[i].id == posing_.joint) return i;
+    }
+    return std::nullopt;
+  }
+
+  /// Id of the joint that turns the chosen bone.
+  std::string boneId(size_t joint) const {
+    const Rig& rig = input_.stance.rest;
+    return rig.joints[boneOf(rig, static_cast<uint32_t>(joint))].id;
+  }
+
+  void show(const std::string& name) {
+    posing_.pose = name;
+    requests_.again = true;
+  }
+  void ask(Command command) { requests_.commands.push_back(std::move(command)); }
+
+  const PanelInput& input_;
+  UiState& ui_;
+  Posing& posing_;
+  Requests& requests_;
+  float height_;
+  const NamedPose* current_;
+};
+
+}  // namespace
+
+void drawPosePanel(const PanelInput& input, UiState& ui, Requests& requests) {
+  const bool shown = ui.tool == ToolKind::pose && (!ui.narrow() || ui.open.pose);
+  if (shown) PosePanel(input, ui, requests).draw();
+  if (const auto typed = leftText("pose")) renamePose(input, *typed, ui, requests);
+}
+
+}  // namespace marrow

@@ -1,0 +1,130 @@
+#include "tools/pose_tool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "pose/inverse_kinematics.h"
+
+namespace marrow {
+namespace {
+
+constexpr double kJointReach_px = 14, kJointTouch_px = 26;
+constexpr double kBoneReach_px = 10, kBoneTouch_px = 20;
+constexpr double kFirstMove_px = 2;
+constexpr double kMissed = 0.02;  // × the distance to the target: that much is out of reach
+
+Quaternion rotationOf(const Affine& map) { return rotationTo(map.x, map.y, map.z); }
+
+}  // namespace
+
+uint32_t boneOf(const Rig& rig, uint32_t joint) {
+  const int32_t parent = rig.joints[joint].parent;
+  return parent < 0 ? joint : static_cast<uint32_t>(parent);
+}
+
+std::optional<uint32_t> jointToGrab(Vec2 pixel, const Rig& posed, const Camera& camera,
+                                    ViewSize size, bool touch) {
+  std::optional<uint32_t> found;
+  double nearest = touch ? kJointTouch_px : kJointReach_px;
+  std::vector<Vec2> places;
+  places.reserve(posed.joints.size());
+  for (size_t i = 0; i < posed.joints.size(); ++i) {
+    places.push_back(camera.toScreen(posed.joints[i].position, size));
+    const double far = distance(places[i], pixel);
+    // Of joints in one place the last: a limb rather than what it hangs on.
+    if (far > nearest) continue;
+    nearest = far;
+    found = static_cast<uint32_t>(i);
+  }
+  if (found) return found;
+  double best = std::numeric_limits<double>::infinity();
+  for (const auto& [head, tail] : posed.bones) {
+    const Vec2 way = places[tail] - places[head];
+    const double along = dot(way, way) > 0
+                             ? std::clamp(dot(pixel - places[head], way) / dot(way, way), 0.0, 1.0)
+                             : 0;
+    const double radius =
+        posed.joints[head].radius * (1 - along) + posed.joints[tail].radius * along;
+    const double reach = std::max(radius * camera.zoom, touch ? kBoneTouch_px : kBoneReach_px);
+    const double far = distance(pixel, places[head] + way * along) / reach;
+    if (far > 1 || far >= best) continue;
+    best = far;
+    found = along > 0.5 || posed.joints[head].parent >= 0
+                ? (along > 0.5 ? tail : head)
+                : tail;  // a root moves everything: only by its own joint
+  }
+  return found;
+}
+
+void PoseTool::begin(const Stance& stance, uint32_t joint, Way way, Vec2 pointer_px,
+                     const Camera& camera, ViewSize size) {
+  stance_ = stance;
+  joint_ = joint;
+  way_ = way;
+  active_ = true;
+  by_key_ = changed_ = false;
+  camera_ = camera;
+  start_px_ = pointer_px;
+  start_ = target_ = stance.posed.joints[joint].position;
+  pose_ = stance.pose;
+  const bool is_root = stance.posed.joints[joint].parent < 0;
+  transform_.begin(way == Way::turn && is_root ? TransformKind::rotate : TransformKind::move,
+                   TransformAxis::none, {}, start_, pointer_px, camera, size, false);
+}
+
+void PoseTool::beginByKey(const Stance& stance, uint32_t joint, TransformKind kind, Vec2 pointer_px,
+                          const Camera& camera, ViewSize size) {
+  begin(stance, joint, kind == TransformKind::rotate ? Way::turn : Way::pull, pointer_px, camera,
+        size);
+  by_key_ = true;
+  const uint32_t about = kind == TransformKind::rotate ? pivotJoint() : joint;
+  transform_.begin(kind, TransformAxis::none, {}, stance.posed.joints[about].position, pointer_px,
+                   camera, size, true);
+}
+
+uint32_t PoseTool::pivotJoint() const { return boneOf(stance_.rest, joint_); }
+
+void PoseTool::move(Vec2 pointer_px) {
+  if (!changed_ && distance(pointer_px, start_px_) < kFirstMove_px) return;
+  changed_ = true;
+  transform_.move(pointer_px);
+  follow();
+}
+
+bool PoseTool::key(char character) {
+  if (!byKey() || !transform_.key(character)) return false;
+  changed_ = true;
+  follow();
+  return true;
+}
+
+void PoseTool::follow() {
+  const Affine map = transform_.command().map;
+  if (way_ == Way::pull) {
+    pullTo(start_ + map.move);
+    return;
+  }
+  if (transform_.kind() == TransformKind::rotate) {
+    pose_ = turned(stance_.rest, stance_.pose, pivotJoint(), rotationOf(map));
+    return;
+  }
+  const uint32_t head = pivotJoint();
+  const Vec3 middle = stance_.posed.joints[head].position;
+  pose_ = turned(stance_.rest, stance_.pose, head,
+                 between(start_ - middle, start_ + map.move - middle));
+}
+
+void PoseTool::pullTo(Vec3 target) {
+  target_ = target;
+  pose_ = reach(stance_.rest, stance_.pose, joint_, target, stance_.pins);
+}
+
+std::optional<Vec3> PoseTool::outOfReach() const {
+  if (!active_ || !changed_ || way_ != Way::pull) return std::nullopt;
+  const Vec3 at = posed(stance_.rest, pose_)[joint_](stance_.rest.joints[joint_].position);
+  if (distance(at, target_) <= kMissed * distance(start_, target_)) return std::nullopt;
+  return target_;
+}
+
+}  // namespace marrow
