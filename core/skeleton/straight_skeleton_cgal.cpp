@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <new>
 #include <numeric>
+#include <stdexcept>
 #include <vector>
 
 #include "base/box.h"
@@ -20,6 +22,7 @@ namespace marrow {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Traits = CGAL::Straight_skeleton_builder_traits_2<Kernel>;
 
 /// Memory that CGAL has given back, until a skeleton is done: where many nodes coincide, CGAL 5.5's
 /// builder still looks at vertices that it has erased.
@@ -59,12 +62,62 @@ struct KeepingAllocator {
   friend bool operator!=(const KeepingAllocator&, const KeepingAllocator&) { return false; }
 };
 
-using CgalSkeleton =
-    CGAL::Straight_skeleton_2<Kernel, CGAL::Straight_skeleton_items_2, KeepingAllocator<int>>;
-using Builder = CGAL::Straight_skeleton_builder_2<CGAL::Straight_skeleton_builder_traits_2<Kernel>,
-                                                  CgalSkeleton>;
+constexpr double kMergeRatio = 1e-9;       // × the polygon's size: nodes this close are one event
+constexpr size_t kStepsPerVertex = 10000;  // by far more than any sound skeleton takes
 
-constexpr double kMergeRatio = 1e-9;  // × the polygon's size: nodes this close are one event
+/// What the builder may still walk from halfedge to halfedge.
+size_t& stepsLeft() {
+  static thread_local size_t steps;
+  return steps;
+}
+
+/// Where the builder has linked the halfedges wrongly, it would go round in a circle for ever, and
+/// write down where it has been.
+template <typename Refs>
+class CountedHalfedge : public CGAL::Straight_skeleton_halfedge_base_2<Refs> {
+ public:
+  using Plain = CGAL::Straight_skeleton_halfedge_base_2<Refs>;
+  using Handle = typename Refs::Halfedge_handle;
+  using ConstHandle = typename Refs::Halfedge_const_handle;
+  using Plain::Plain;
+
+  Handle next() { return step(), Plain::next(); }
+  ConstHandle next() const { return step(), Plain::next(); }
+  Handle prev() { return step(), Plain::prev(); }
+  ConstHandle prev() const { return step(), Plain::prev(); }
+
+ private:
+  static void step() {
+    if (stepsLeft()-- == 0) throw std::length_error("the halfedges are wrongly linked");
+  }
+};
+
+struct Items : CGAL::Straight_skeleton_items_2 {
+  template <typename Refs, typename>
+  struct Halfedge_wrapper {
+    using Halfedge = CountedHalfedge<Refs>;
+  };
+};
+
+using CgalSkeleton = CGAL::Straight_skeleton_2<Kernel, Items, KeepingAllocator<int>>;
+using Event = CGAL::CGAL_SS_i::Event_2<CgalSkeleton, Traits>;
+
+/// Among the simultaneous events of one vertex, which differ in their third edge alone, CGAL would
+/// prefer the one with the higher address: another result, or none, in every run.
+bool operator<(const boost::intrusive_ptr<Event>& a, const boost::intrusive_ptr<Event>& b) {
+  return a->triedge().e2()->id() < b->triedge().e2()->id();
+}
+
+/// Bounds the last part of the building, which is where it goes round in circles.
+struct Limit : CGAL::Dummy_straight_skeleton_builder_2_visitor<CgalSkeleton> {
+  size_t steps;
+  explicit Limit(size_t vertex_count) : steps(kStepsPerVertex * vertex_count) {
+    stepsLeft() = std::numeric_limits<size_t>::max();
+  }
+  void on_cleanup_started() const { stepsLeft() = steps; }
+};
+
+using Builder = CGAL::Straight_skeleton_builder_2<Traits, CgalSkeleton, Limit>;
 
 Result<StraightSkeleton> convert(const std::vector<Vec2>& polygon, const CgalSkeleton& cgal) {
   const uint32_t n = static_cast<uint32_t>(polygon.size());
@@ -167,7 +220,8 @@ Result<StraightSkeleton> straightSkeletonByCgal(const std::vector<Vec2>& polygon
     std::vector<Kernel::Point_2> contour;
     contour.reserve(polygon.size());
     for (const Vec2 p : polygon) contour.emplace_back(p.x, p.y);
-    Builder builder;
+    const Limit limit(polygon.size());
+    Builder builder(boost::none, Traits(), limit);
     builder.enter_contour(contour.begin(), contour.end());
     const auto cgal = builder.construct_skeleton();
     if (!cgal) return Status::skeletonFailed;

@@ -5,6 +5,7 @@
 //   growth     straight skeletons and the chordal axis as the polygon grows
 //   cold       the first calls in this process
 //   rig        whole characters: to the rig, opened, dragged, refined; FILEs are documents
+//   model      characters merged, weighted, posed and written; FILEs are documents
 //   character  the document of 60 strokes that is dragged and refined
 #include <cstdio>
 #include <cstring>
@@ -14,6 +15,7 @@
 #include "bench/chordal_axis.h"
 #include "bench/inputs.h"
 #include "bench/measure.h"
+#include "bench/models.h"
 #include "bench/rigs.h"
 #include "part/part.h"
 
@@ -203,9 +205,11 @@ int run(int argc, char** argv) {
     print({{"document", characterOfManyParts()}});
   } else if (what == "rig") {
     rigs(quick, files);
+  } else if (what == "model") {
+    models(quick, files);
   } else {
     std::fprintf(stderr,
-                 "marrow_bench strokes|stages|growth|cold|rig|character [--quick] [FILE…]\n");
+                 "marrow_bench strokes|stages|growth|cold|rig|model|character [--quick] [FILE…]\n");
     return 2;
   }
   return 0;

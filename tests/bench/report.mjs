@@ -237,6 +237,69 @@ function rigTargets(figures, atMost) {
   atMost('opening a sample, the slowest, wasm', 200, 'ms', slowest, ` (${sample})`);
 }
 
+const largestOf = (rows, of) => rows.reduce((a, b) => (of(b) > of(a) ? b : a));
+
+function modelTable(figures) {
+  const cells = (bench, of) => figures.all(bench, {target: 'native'}).flatMap((row) => {
+    const wasm = figures.all(bench, {target: 'wasm'})
+        .find(({ms, target, ...what}) => Object.entries(what)
+            .every(([key, value]) => row[key] === value));
+    return Object.keys(row.ms).map((name) => [of(row, name),
+      ...[row, wasm].flatMap((one) => [least(one?.ms[name]), one?.ms[name][1]]).map(number)]);
+  });
+  return `### Characters merged, weighted, posed, written (ms)\n\n${table([
+    ['what', 'native: least', 'median', 'wasm: least', 'median'],
+    ...cells('merge', (row) => `merge: ${row.solids}, ${row.vertices} vertices`),
+    ...cells('weights', (row, name) => `weights${name === 'firstGuess' ? ', first guess' : ''}: ${
+      row.creature}, ${row.bones} bones, ${row.volume} volume vertices`),
+    ...cells('pose', (row, name) => name === 'joints' ? `the ${row.joints} joints alone`
+        : `posing ${row.vertices} vertices, ${row.joints} joints: ${name}`),
+    ...cells('reach', (row, name) => `inverse kinematics, ${row.joints} joints: ${name}`),
+    ...cells('glb', (row) => `GLB: ${row.creature}, ${row.vertices} vertices`)])}`;
+}
+
+function modelTargets(figures, atMost) {
+  for (const [target, limit] of [['native', 60], ['wasm', 80]]) {
+    const [plain, ...rest] = figures.all('merge', {target});
+    const hard = rest.filter((row) => row.parts === plain.parts);
+    const time = (row) => least(row.ms.total);
+    atMost(`merge of ${plain.parts} parts, ${plain.vertices} vertices, ${target}`, limit, 'ms',
+           time(plain));
+    const slowest = largestOf(hard, time);
+    atMost(`the same mirrored, coplanar and coincident, slowest, ${target}`, 3 * limit, 'ms',
+           time(slowest), ` (${slowest.solids})`);
+    const many = rest.find((row) => row.parts > plain.parts);
+    if (target === 'wasm') {
+      atMost(`merge of ${many.solids}, ${many.vertices} vertices, wasm`, 800, 'ms', time(many));
+    }
+  }
+  for (const [target, limit] of [['native', 500], ['wasm', 1000]]) {
+    const [ours, ...others] = figures.all('weights', {target});
+    const note = (name) => {
+      if (!others.length) return '';
+      const slowest = largestOf(others, (row) => least(row.ms[name]));
+      return `; the samples, 21 to 53 bones, slowest ${number(least(slowest.ms[name]))} (${
+        slowest.creature})`;
+    };
+    atMost(`weights of ${ours.bones} bones, ${ours.volume} volume vertices, ${target}`, limit, 'ms',
+           least(ours.ms.total), note('total'));
+    atMost(`a first guess at them, ${target}`, 20, 'ms', least(ours.ms.firstGuess),
+           note('firstGuess'));
+  }
+  for (const target of targets) {
+    const {vertices, joints, ms} = figures.one('pose', {target});
+    atMost(`posing ${vertices} vertices with ${joints} joints, ${target}`, 1, 'ms', least(ms.linear),
+           ` linear, ${number(least(ms.dualQuaternions))} dual quaternions`);
+  }
+  const {joints, ms} = figures.one('reach', {target: 'wasm'});
+  const dragged = Object.values(ms);
+  atMost(`inverse kinematics of ${joints} joints, wasm`, 0.5, 'ms',
+         Math.max(...dragged.map((times) => times[1])),
+         ` median, single slowest ${number(Math.max(...dragged.map((times) => times[2])))}`);
+  const glb = largestOf(figures.all('glb', {target: 'wasm'}), (row) => least(row.ms.write));
+  atMost(`GLB of ${glb.vertices} vertices written, wasm`, 100, 'ms', least(glb.ms.write));
+}
+
 function targetTable(figures) {
   const rows = [['target', 'wanted', 'measured', '']];
   const add = (what, wanted, measured, good) => {
@@ -292,6 +355,7 @@ function targetTable(figures) {
     }
   }
   if (figures.has('rig')) rigTargets(figures, atMost);
+  if (figures.has('merge')) modelTargets(figures, atMost);
   const dragged = figures.one('dragFrames');
   if (dragged) {
     atMost(`dragging one part among ${dragged.strokes} in Chromium, every frame's evaluation`, 4,
@@ -328,6 +392,7 @@ export function report(rows) {
   }
   if (figures.has('growth')) sections.push(growthTable(figures));
   if (figures.has('rig')) sections.push(rigTable(figures), updateTable(figures));
+  if (figures.has('merge')) sections.push(modelTable(figures));
   if (figures.has('cold')) sections.push(coldTable(figures));
   if (figures.has('frames')) sections.push(frameTable(figures));
   return sections.join('\n\n');

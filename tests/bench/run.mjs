@@ -1,5 +1,6 @@
-// node tests/bench/run.mjs [--quick] [stages] [growth] [cold] [rig] [thinning] [frames]: measures all,
-// or what is named, and prints the tables in Markdown. Everything measured goes to build/bench.json.
+// node tests/bench/run.mjs [--quick] [stages] [growth] [cold] [rig] [model] [thinning] [frames]:
+// measures all, or what is named, and prints the tables in Markdown. Everything measured goes to
+// build/bench.json.
 //
 // The machine may be busy with other things: native and WebAssembly take turns, a few times over,
 // and of each figure the smallest is kept (of medians the middle one).
@@ -86,6 +87,7 @@ if (wanted('stages')) rows.push(...repeated('stages', quick ? 1 : 3));
 if (wanted('growth')) rows.push(...repeated('growth', quick ? 1 : 2));
 if (wanted('cold')) rows.push(...repeated('cold', quick ? 3 : 7));
 if (wanted('rig')) rows.push(...repeated('rig', quick ? 1 : 4, samples()));
+if (wanted('model')) rows.push(...repeated('model', quick ? 1 : 4, samples()));
 if (wanted('thinning')) {
   say('thinning');
   // The Python that has scikit-image; a Python from elsewhere may come first on the path.

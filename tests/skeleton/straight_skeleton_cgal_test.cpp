@@ -1,8 +1,10 @@
+#include <memory>
 #include <numeric>
 
 #include "skeleton/shapes.h"
 #include "skeleton/straight_skeleton.h"
 #include "support/catch.h"
+#include "support/polygons.h"
 
 namespace marrow {
 namespace {
@@ -111,6 +113,29 @@ TEST_CASE("straightSkeletonByCgal: 2n - 3 arcs in general position", "[straight_
     const auto skeleton = straightSkeletonByCgal(polygon);
     REQUIRE(skeleton);
     CHECK(skeleton->edges.size() - polygon.size() == 2 * polygon.size() - 3);
+  }
+}
+
+TEST_CASE(
+    "straightSkeletonByCgal: the same polygon gives the same skeleton, whatever memory it gets",
+    "[straight_skeleton][cgal]") {
+  const auto families = polygonFamilies(2, 1020);
+  std::vector<std::unique_ptr<char[]>> holes;  // the heap is another one each time
+  for (size_t i = 980; i < families.size(); ++i) {
+    INFO(families[i].name);
+    const auto& polygon = families[i].exact.empty() ? families[i].points : families[i].exact;
+    const auto first = straightSkeletonByCgal(polygon);
+    REQUIRE(first);
+    for (size_t again = 0; again < 4; ++again) {
+      holes.push_back(std::make_unique<char[]>(100 + 40 * again));
+      const auto other = straightSkeletonByCgal(polygon);
+      REQUIRE(other);
+      CHECK(other->times == first->times);
+      CHECK(std::equal(other->edges.begin(), other->edges.end(), first->edges.begin(),
+                       first->edges.end(), [](const auto& a, const auto& b) {
+                         return a.a == b.a && a.b == b.b && a.left == b.left && a.right == b.right;
+                       }));
+    }
   }
 }
 
