@@ -47,8 +47,9 @@ Model model(Random& random, int joints) {
 }
 
 GlbCharacter characterOf(const Model& model) {
-  return {"Creature", model.rig, {model.mesh}, {{"Red", {200, 30, 30}}, {"Sky", {30, 120, 200}}},
-          {},         {}};
+  const std::vector<Paint> paints{{"Red", {200, 30, 30}, "part-1"},
+                                  {"Sky", {30, 120, 200}, "part-2"}};
+  return {"Creature", model.rig, {model.mesh}, paints, {}, {}};
 }
 
 tinygltf::Model read(const std::string& bytes) {

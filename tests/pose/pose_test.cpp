@@ -127,6 +127,70 @@ TEST_CASE("pose: seen in the mirror, a mirrored pose is the pose", "[pose]") {
   }
 }
 
+TEST_CASE("pose: a joint's partner is the one at its mirror place, of the same part", "[pose]") {
+  Random random(8);
+  for (int run = 0; run < 20; ++run) {
+    const Plane plane = randomPlane(random, {});
+    Rig rig = randomRig(random, 12);
+    const auto n = static_cast<uint32_t>(rig.joints.size());
+    for (uint32_t i = 0; i < n; ++i) {
+      rig.joints[i].radius = 0.01;
+      Rig::Joint image = rig.joints[i];
+      image.position = mirrored(image.position, plane);
+      image.part = 1;
+      rig.joints.push_back(image);
+    }
+    for (uint32_t i = 0; i < n; ++i) rig.joints[i].part = 0;
+    Rig::Joint alone = rig.joints[0];  // another part's, in the same place
+    alone.part = 2;
+    rig.joints.push_back(alone);
+    const std::vector<PlacedPart> placed{
+        {"part-1", 0, false, {}}, {"part-1:twin", 0, true, {}}, {"part-2", 1, false, {}}};
+    const std::vector<uint32_t> partners = mirrorPartners(rig, placed, plane);
+    REQUIRE(partners.size() == rig.joints.size());
+    for (uint32_t i = 0; i < 2 * n; ++i) {
+      const Vec3 wanted = mirrored(rig.joints[i].position, plane);
+      CHECK(distance(rig.joints[partners[i]].position, wanted) < 0.01);
+      CHECK(rig.joints[partners[i]].part < 2);
+    }
+    CHECK(partners.back() == 2 * n);
+  }
+}
+
+TEST_CASE("pose: a joint turns in space, about where it is", "[pose]") {
+  Random random(9);
+  for (int run = 0; run < 50; ++run) {
+    const Rig rig = randomRig(random, 2 + random.below(30));
+    const Pose pose = randomPose(random, rig);
+    const auto joint = static_cast<uint32_t>(random.below(static_cast<int>(rig.joints.size())));
+    const Affine turn = randomRotation(random);
+    const std::vector<Rigid> before = posed(rig, pose);
+    const std::vector<Rigid> after =
+        posed(rig, turned(rig, pose, joint, rotationTo(turn.x, turn.y, turn.z)));
+    const Vec3 middle = before[joint](rig.joints[joint].position);
+    for (const auto& [a, b] : rig.bones) {
+      if (a != joint) continue;
+      const Vec3 was = before[a](rig.joints[b].position);
+      CHECK(near(after[a](rig.joints[b].position), middle + turn(was - middle), 1e-8));
+    }
+    CHECK(near(after[joint](rig.joints[joint].position), middle));
+  }
+  const Rig rig = randomRig(random, 3);
+  CHECK(turned(rig, {}, 99, {}).empty());
+}
+
+TEST_CASE("pose: joints that rest are left out, and nothing moves by it", "[pose]") {
+  Random random(10);
+  const Rig rig = randomRig(random, 20);
+  Pose pose = randomPose(random, rig);
+  const std::vector<Rigid> before = posed(rig, pose);
+  const size_t moved = withoutResting(pose).size();
+  for (const Rig::Joint& joint : rig.joints) pose.emplace(joint.id, JointMotion{});
+  CHECK(withoutResting(pose).size() == moved);
+  const std::vector<Rigid> after = posed(rig, withoutResting(pose));
+  for (size_t i = 0; i < before.size(); ++i) CHECK(after[i]({1, 2, 3}) == before[i]({1, 2, 3}));
+}
+
 TEST_CASE("pose: at rest y lies along a bone that goes on from the joint", "[pose]") {
   Random random(7);
   for (int run = 0; run < 50; ++run) {

@@ -27,8 +27,11 @@ uint64_t meshKey(const Evaluation& evaluation) {
 
 /// Of what the weights depend on besides.
 uint64_t rigKey(uint64_t mesh_key, const Document& document, const Evaluation& evaluation) {
-  const uint64_t rig = evaluation.rigId();
-  uint64_t key = fingerprint(&rig, sizeof rig, mesh_key);
+  uint64_t key = mesh_key;
+  for (const Rig::Joint& joint : evaluation.rig().joints) {
+    key = mixed(fingerprint(&joint.position, sizeof joint.position, key), joint.id);
+    key = fingerprint(&joint.parent, sizeof joint.parent, key);
+  }
   if (const auto plane = symmetryPlane(document)) key = fingerprint(&*plane, sizeof *plane, key);
   return key;
 }

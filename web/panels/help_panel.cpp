@@ -18,6 +18,7 @@ constexpr Entry kFingers[] = {
     {"Outline", "the third tool: draw over a stretch of the selected part; the fourth: drag it"},
     {"Symmetry", "the mirror below the tools: limbs get a twin on the other side"},
     {"Line", "the fifth tool: the line of symmetry; half a shape along it is completed"},
+    {"Pose", "the figure below the tools: drag a limb or a joint; drag beside it to look around"},
     {"Undo", "the arrow at the top left; every step comes back"},
 };
 constexpr Entry kDrawing[] = {
@@ -38,6 +39,12 @@ constexpr Entry kParts[] = {
     {"Layer  [  ]", "behind or in front of the next part"},
     {"Hide  H", "Shift H shows everything"},
     {"Delete  X", "or the Delete key"},
+};
+constexpr Entry kPosing[] = {
+    {"Pose  P", "drag a joint or a limb; drag beside the character to look around"},
+    {"Turn  T", "drags turn the bone instead of pulling the limb; R, G: the chosen joint"},
+    {"Pin  N", "the chosen joint stays where it is"},
+    {"Weights  W", "what each bone holds"},
 };
 constexpr Entry kFiles[] = {
     {"Open", "Ctrl O, or drop a file on the canvas"},
@@ -88,14 +95,16 @@ void drawHelpPanel(const PanelInput& input, UiState& ui, Requests& requests) {
   if (two_columns && ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingStretchSame)) {
     ImGui::TableNextColumn();
     section("Drawing", kDrawing, indent);
-    section("Looking", kLooking, indent);
+    section("Posing", kPosing, indent);
+    section("Files", kFiles, indent);
     ImGui::TableNextColumn();
     section("Parts", kParts, indent);
-    section("Files", kFiles, indent);
+    section("Looking", kLooking, indent);
     ImGui::EndTable();
   } else if (!two_columns && !fingers_only) {
     section("Drawing", kDrawing, indent);
     section("Parts", kParts, indent);
+    section("Posing", kPosing, indent);
     section("Looking", kLooking, indent);
     section("Files", kFiles, indent);
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "pose/inverse_kinematics.h"
 
@@ -10,6 +9,7 @@ namespace marrow {
 namespace {
 
 constexpr double kJointReach_px = 14, kJointTouch_px = 26;
+constexpr double kAlike_px = 3;  // as near as the nearest
 constexpr double kBoneReach_px = 10, kBoneTouch_px = 20;
 constexpr double kFirstMove_px = 2;
 constexpr double kMissed = 0.02;  // × the distance to the target: that much is out of reach
@@ -25,34 +25,42 @@ uint32_t boneOf(const Rig& rig, uint32_t joint) {
 
 std::optional<uint32_t> jointToGrab(Vec2 pixel, const Rig& posed, const Camera& camera,
                                     ViewSize size, bool touch) {
+  // Of several that are meant the one in front; of joints in one place the last: a limb rather than
+  // what it hangs on.
+  const Vec3 back = camera.axes()[2];
   std::optional<uint32_t> found;
-  double nearest = touch ? kJointTouch_px : kJointReach_px;
+  double front = 0;
+  const auto offer = [&](uint32_t joint, Vec3 at) {
+    const double depth = dot(back, at);
+    if (found && depth < front) return;
+    found = joint;
+    front = depth;
+  };
   std::vector<Vec2> places;
   places.reserve(posed.joints.size());
-  for (size_t i = 0; i < posed.joints.size(); ++i) {
-    places.push_back(camera.toScreen(posed.joints[i].position, size));
+  double nearest = touch ? kJointTouch_px : kJointReach_px;
+  for (const Rig::Joint& joint : posed.joints) {
+    places.push_back(camera.toScreen(joint.position, size));
+    nearest = std::min(nearest, distance(places.back(), pixel));
+  }
+  const double reach_px = touch ? kJointTouch_px : kJointReach_px;
+  for (uint32_t i = 0; i < places.size(); ++i) {
     const double far = distance(places[i], pixel);
-    // Of joints in one place the last: a limb rather than what it hangs on.
-    if (far > nearest) continue;
-    nearest = far;
-    found = static_cast<uint32_t>(i);
+    if (far <= reach_px && far <= nearest + kAlike_px) offer(i, posed.joints[i].position);
   }
   if (found) return found;
-  double best = std::numeric_limits<double>::infinity();
   for (const auto& [head, tail] : posed.bones) {
+    const Rig::Joint &a = posed.joints[head], &b = posed.joints[tail];
     const Vec2 way = places[tail] - places[head];
     const double along = dot(way, way) > 0
                              ? std::clamp(dot(pixel - places[head], way) / dot(way, way), 0.0, 1.0)
                              : 0;
-    const double radius =
-        posed.joints[head].radius * (1 - along) + posed.joints[tail].radius * along;
-    const double reach = std::max(radius * camera.zoom, touch ? kBoneTouch_px : kBoneReach_px);
-    const double far = distance(pixel, places[head] + way * along) / reach;
-    if (far > 1 || far >= best) continue;
-    best = far;
-    found = along > 0.5 || posed.joints[head].parent >= 0
-                ? (along > 0.5 ? tail : head)
-                : tail;  // a root moves everything: only by its own joint
+    const double radius = a.radius + (b.radius - a.radius) * along;
+    const double limb_px = std::max(radius * camera.zoom, touch ? kBoneTouch_px : kBoneReach_px);
+    if (distance(pixel, places[head] + way * along) > limb_px) continue;
+    // A root moves everything: only by its own joint.
+    const bool by_tail = along > 0.5 || a.parent < 0;
+    offer(by_tail ? tail : head, lerp(a.position, b.position, along));
   }
   return found;
 }

@@ -1,0 +1,245 @@
+// Poses, by hand: the character follows its joints, and what is done has names and can be undone.
+import assert from 'node:assert/strict';
+import {readFile} from 'node:fs/promises';
+import {join} from 'node:path';
+
+import {isBody, root, test} from './harness.mjs';
+
+const posing = async (app) => (await app.stats()).posing;
+const joint = async (app, name) => {
+  const found = (await posing(app)).joints.find((one) => one.name === name);
+  assert.ok(found, `there is no joint ${name}`);
+  return found;
+};
+const poses = (app) => app.page.evaluate(() => marrow.document().poses ?? []);
+const apart = (a, b) => Math.hypot(...a.map((x, k) => x - b[k]));
+const ready = (app) => app.until(() => marrow.stats().posing.ready);
+const glidden = (app) => app.page.waitForTimeout(350).then(() => app.settled());
+
+/// A sample of the gallery in pose mode, once its skin fits.
+async function openPosing(app, name) {
+  const text = await readFile(join(root, 'public/samples', `${name}.json`), 'utf8');
+  await app.page.evaluate((json) => marrow.load(json), text);
+  await app.frames(2);
+  await app.key('f');
+  await app.key('p');
+  await ready(app);
+  await app.settled();
+}
+
+async function pull(app, name, [dx, dy], options) {
+  const [x, y] = (await joint(app, name)).pixel;
+  await app.drag([x, y], [x + dx, y + dy], options);
+}
+
+test('a limb follows the joint that is pulled, the others stay, and undo brings it back',
+     async (app) => {
+  await openPosing(app, 'dog');
+  const paw = 'Front leg.R.6', other = 'Hind leg.L.8';
+  const before = {paw: await joint(app, paw), other: await joint(app, other)};
+  const [x, y] = [before.paw.pixel[0] + 90, before.paw.pixel[1] - 60];
+  const skinThere = async () =>
+      (await app.pixels()).find(isBody, [x - 12, y - 12, x + 12, y + 12]).count;
+  assert.equal(await skinThere(), 0, 'nothing is there yet');
+  let seen;
+  await pull(app, paw, [90, -60], {
+    async before() {
+      await app.frames(2);
+      seen = await skinThere();
+    },
+  });
+  assert.ok(seen > 50, 'the skin is there while the button is down');
+  const after = await joint(app, paw);
+  assert.ok(apart(after.pixel, [x, y]) < 2);
+  assert.ok(apart((await joint(app, other)).position, before.other.position) < 1e-9);
+  assert.equal((await posing(app)).pose, 'Pose 1');
+  assert.equal((await poses(app)).length, 1);
+  await app.screenshot('pulled');
+
+  await app.key('Control+z');
+  await glidden(app);
+  assert.ok(apart((await joint(app, paw)).position, before.paw.position) < 1e-9);
+  assert.equal((await poses(app)).length, 0);
+  await app.key('Control+y');
+  await glidden(app);
+  assert.ok(apart((await joint(app, paw)).position, after.position) < 1e-9);
+  await app.key('p');
+  assert.equal((await app.stats()).tool, 'draw');
+  assert.equal((await poses(app)).length, 1, 'a pose is kept in the drawing');
+});
+
+test('a limb is pulled by its skin too, and beside the character the view turns', async (app) => {
+  await openPosing(app, 'dog');
+  const [ax, ay] = (await joint(app, 'Hind leg.R.6')).pixel, [bx, by] = (await joint(app, 'Hind leg.R.8')).pixel;
+  const grip = [ax * 0.2 + bx * 0.8 + 6, ay * 0.2 + by * 0.8];
+  await app.drag(grip, [grip[0] - 60, grip[1] - 20]);
+  assert.equal((await poses(app)).length, 1);
+  const {yaw} = (await app.stats()).camera;
+  await app.drag([300, 700], [420, 690]);
+  assert.ok(Math.abs((await app.stats()).camera.yaw - yaw) > 0.1);
+  assert.equal((await poses(app)).length, 1);
+});
+
+test('what is pinned stays, and what hangs behind it follows', async (app) => {
+  await openPosing(app, 'dog');
+  const pinned = await joint(app, 'Tail.2');
+  await app.click(...pinned.pixel);
+  assert.equal((await posing(app)).joint, pinned.id);
+  await app.key('n');
+  assert.deepEqual((await posing(app)).pins, [pinned.id]);
+  const body = await joint(app, 'Body.3');
+  await pull(app, 'Tail.7', [40, 60]);
+  assert.ok(apart((await joint(app, 'Tail.2')).position, pinned.position) < 1e-6);
+  assert.ok(apart((await joint(app, 'Body.3')).position, body.position) < 1e-9);
+  await app.screenshot('pinned');
+  await app.click(...(await joint(app, 'Tail.2')).pixel);
+  await app.press('pose', 'pin');
+  assert.deepEqual((await posing(app)).pins, []);
+});
+
+test('R turns the chosen bone by a number, T makes drags turn, G moves the whole character',
+     async (app) => {
+  await openPosing(app, 'dog');
+  const hip = await joint(app, 'Front leg.R.4'), paw = await joint(app, 'Front leg.R.6');
+  const length = apart(hip.position, paw.position);
+  await app.click(...paw.pixel);
+  await app.key('r');
+  for (const key of '90') await app.key(key);
+  await app.key('Enter');
+  const turned = await joint(app, 'Front leg.R.6');
+  const cosine = [0, 1, 2].reduce((sum, k) => sum + (paw.position[k] - hip.position[k]) *
+      (turned.position[k] - hip.position[k]), 0) / length ** 2;
+  // About the line of sight: what lies along it stays.
+  assert.ok(Math.abs(cosine) < 0.2, `${cosine}`);
+  assert.ok(Math.abs(apart(hip.position, turned.position) - length) < 1e-6 * length);
+
+  await app.key('t');
+  const [x, y] = turned.pixel;
+  await app.drag([x, y], [x - 30, y + 50]);
+  assert.ok(apart((await joint(app, 'Front leg.R.4')).position, hip.position) < 1e-6);
+  await app.key('t');
+
+  const root = (await posing(app)).joints[0], tail = await joint(app, 'Tail.7');
+  await app.click(...root.pixel);
+  await app.key('g');
+  await app.key('x');
+  for (const key of '50') await app.key(key);
+  await app.key('Enter');
+  const moved = await joint(app, 'Tail.7');
+  assert.ok(Math.abs(moved.position[0] - tail.position[0] - 50) < 1e-6);
+  assert.equal((await poses(app)).length, 1);
+});
+
+test('poses have names, are mirrored, mixed and put back', async (app) => {
+  await openPosing(app, 'dog');
+  await pull(app, 'Front leg.R.6', [60, -40]);
+  const right = await joint(app, 'Front leg.R.6');
+  await app.press('pose', 'name');
+  await app.page.keyboard.press('Control+a');
+  await app.page.keyboard.type('Give paw');
+  await app.key('Enter');
+  assert.deepEqual((await poses(app)).map(({name}) => name), ['Give paw']);
+  assert.equal((await posing(app)).pose, 'Give paw');
+
+  await app.press('pose', 'mirror');
+  await glidden(app);
+  const left = await joint(app, 'Front leg.L.6');
+  assert.ok(Math.abs(left.position[0] - right.position[0]) < 1e-6, 'the other paw');
+  assert.ok(Math.abs(left.position[2] + right.position[2]) < 1e-6);
+
+  await app.press('pose', 'new');
+  await app.press('pose', 'resetAll');
+  await glidden(app);
+  const rest = await joint(app, 'Front leg.L.6');
+  const slider = await app.widget('pose', 'mix');
+  // With "Give paw", behind the rest among the others.
+  await app.press('pose', 'other');
+  await app.drag([slider.x - slider.width / 2 + 8, slider.y], [slider.x, slider.y]);
+  const between = await joint(app, 'Front leg.L.6');
+  const way = apart(rest.position, left.position);
+  assert.ok(apart(rest.position, between.position) > 0.2 * way, 'half way');
+  assert.ok(apart(left.position, between.position) > 0.2 * way);
+  await app.screenshot('mixed');
+  await app.press('pose', 'keepMix');
+  await glidden(app);
+  assert.equal((await poses(app)).length, 3);
+  assert.ok(apart((await joint(app, 'Front leg.L.6')).position, between.position) < 1e-6);
+
+  await app.press('pose', 'rest');
+  await glidden(app);
+  assert.equal((await posing(app)).pose, null);
+  assert.ok(apart((await joint(app, 'Front leg.L.6')).position, rest.position) < 1e-6);
+  for (let i = 0; i < 3; ++i) await app.press('pose', 'delete');
+  assert.equal((await poses(app)).length, 0);
+  await app.key('Control+z');
+  assert.equal((await poses(app)).length, 1);
+});
+
+test('a pose keeps what still applies when the skeleton is refined', async (app) => {
+  await openPosing(app, 'dog');
+  await pull(app, 'Front leg.R.6', [60, -40]);
+  const [pose] = await poses(app);
+  const before = (await posing(app)).joints.length;
+  await app.page.evaluate(() => marrow.load({...marrow.document(), refine: {simplify: 0.2}}));
+  await app.frames(2);
+  await ready(app);
+  const now = await posing(app);
+  assert.ok(now.joints.length < before);
+  assert.deepEqual((await poses(app))[0].joints, pose.joints);
+  const bent = Object.keys(pose.joints).filter((id) => now.joints.some((one) => one.id === id));
+  assert.ok(bent.length > 0);
+  await app.screenshot('refined');
+});
+
+test('the skin is fitted again by itself, and the newest drawing wins', async (app) => {
+  const text = async (name) => readFile(join(root, 'public/samples', `${name}.json`), 'utf8');
+  await app.key('p');
+  assert.equal((await app.stats()).tool, 'draw', 'there is nothing to pose yet');
+  await app.page.evaluate((json) => marrow.load(json), await text('dragon'));
+  await app.frames(2);
+  await app.key('p');
+  await app.until(() => marrow.stats().posing.done >= 0);
+  await app.page.evaluate((json) => marrow.load(json), await text('bear'));
+  await app.until(() => marrow.stats().posing.ready);
+  const {joints, made, figure} = await posing(app);
+  const rig = await app.page.evaluate(() => marrow.rig());
+  assert.deepEqual(joints.map(({id}) => id), rig.joints.map(({id}) => id));
+  assert.equal(made, 2);
+  assert.ok(!figure.guessed && figure.triangles > 1000);
+});
+
+test('the weights are shown, of all bones or of the chosen one', async (app) => {
+  await openPosing(app, 'dog');
+  const [x, y] = (await joint(app, 'Front leg.R.6')).pixel;
+  const at = async () => (await app.pixels()).at(x + 12, y);
+  const plain = await at();
+  await app.key('w');
+  const all = await at();
+  assert.notDeepEqual(all, plain);
+  await app.screenshot('weights-all');
+  await app.key('w');
+  await app.click(x, y);
+  const hot = await at();
+  await app.screenshot('weights-one');
+  assert.ok(hot[0] > 180 && hot[2] < hot[0], `${hot}: light where the bone holds`);
+  const [bx, by] = (await joint(app, 'Tail.7')).pixel;
+  const cold = (await app.pixels()).at(bx, by + 9);
+  assert.ok(cold[0] < 120, `${cold}: dark where it does not`);
+  await app.key('w');
+  assert.deepEqual(await at(), plain);
+});
+
+test('fingers pose as well: one pulls, beside the character one turns the view, two pinch',
+     {width: 800, height: 600, touch: true}, async (app) => {
+  await openPosing(app, 'dog');
+  const way = ([x, y], [dx, dy]) => Array.from({length: 12}, (_, i) => [x + dx * i / 11, y + dy * i / 11]);
+  const {pixel} = await joint(app, 'Front leg.R.6');
+  await app.touch([way(pixel, [30, -30])]);
+  assert.equal((await poses(app)).length, 1);
+  const before = (await app.stats()).camera;
+  await app.touch([way([200, 500], [90, 0])]);
+  assert.ok(Math.abs((await app.stats()).camera.yaw - before.yaw) > 0.1);
+  await app.touch([way([300, 500], [-80, 0]), way([360, 500], [80, 0])]);
+  assert.ok((await app.stats()).camera.zoom > before.zoom * 1.2);
+  assert.equal((await poses(app)).length, 1);
+});

@@ -1,0 +1,267 @@
+// What pose mode shows: the figure, the bytes it travels in, and when another one is asked for.
+#include "figure/figure.h"
+
+#include "figure/figure_keeper.h"
+#include "figure/work.h"
+#include "io/document_json.h"
+#include "pose/rigs.h"
+#include "support/catch.h"
+#include "support/creatures.h"
+#include "support/samples.h"
+
+namespace marrow {
+namespace {
+
+double noTime() { return 0; }
+
+struct Made {
+  std::vector<Figure> figures;
+  std::vector<double> progress;
+  Result<bool> result = false;
+};
+
+Made make(const std::string& request) {
+  Made made;
+  WorkTeller teller;
+  teller.made = [&](const std::string& bytes) {
+    auto figure = figureFromBytes(bytes);
+    REQUIRE(figure);
+    made.figures.push_back(std::move(*figure));
+  };
+  teller.progress = [&](double done) {
+    made.progress.push_back(done);
+    return true;
+  };
+  made.result = work(request, teller, noTime);
+  return made;
+}
+
+const Document& sample(const std::string& name) {
+  for (const Sample& one : samples()) {
+    if (one.name == name) return one.document;
+  }
+  FAIL("no sample " << name);
+  return samples().front().document;
+}
+
+}  // namespace
+
+TEST_CASE("figure: a guess comes first, then the weights, of the same mesh and joints") {
+  const Document& dog = sample("dog");
+  const Made made = make(figureRequest(dog));
+  REQUIRE(made.result);
+  REQUIRE(made.figures.size() == 2);
+  CHECK(made.figures[0].guessed);
+  CHECK_FALSE(made.figures[1].guessed);
+  CHECK(made.figures[0].vertices.size() == made.figures[1].vertices.size());
+  CHECK(made.figures[0].triangles == made.figures[1].triangles);
+  CHECK(std::is_sorted(made.progress.begin(), made.progress.end()));
+  CHECK(made.progress.size() > 3);
+
+  const Figure& figure = made.figures[1];
+  Evaluation evaluation;
+  evaluation.update(dog);
+  REQUIRE(figure.joints.size() == evaluation.rig().joints.size());
+  uint32_t next = 0;
+  for (const Figure::Stretch& stretch : figure.stretches) {
+    CHECK(stretch.first == next);
+    next += stretch.count;
+    CHECK(findPlaced(evaluation.placed(), stretch.part));
+  }
+  CHECK(next == figure.triangles.size());
+  for (const Figure::Vertex& vertex : figure.vertices) {
+    float sum = 0;
+    for (size_t k = 0; k < vertex.weights.size(); ++k) {
+      sum += vertex.weights[k];
+      if (vertex.joints[k] >= figure.joints.size()) FAIL("joint " << vertex.joints[k]);
+    }
+    if (!(std::abs(sum - 1) < 1e-5)) FAIL("sum " << sum);
+  }
+}
+
+TEST_CASE("figure: work that is told to stop comes to nothing but a guess") {
+  size_t made = 0;
+  WorkTeller teller;
+  teller.made = [&](const std::string&) { ++made; };
+  teller.progress = [](double) { return false; };
+  CHECK_FALSE(work(figureRequest(sample("dog")), teller, noTime));
+  CHECK(made == 1);
+}
+
+TEST_CASE("figure: what is no drawing, or shows nothing, is refused in a sentence") {
+  CHECK_FALSE(make("").result);
+  CHECK_FALSE(make("{").result);
+  const Made empty = make(writeDocument({}));
+  CHECK_FALSE(empty.result);
+  CHECK(empty.figures.empty());
+  CHECK_FALSE(empty.result.message().empty());
+}
+
+TEST_CASE("figure: bytes that are cut off or too many are no figure") {
+  const std::string whole = [] {
+    std::string last;
+    WorkTeller teller;
+    teller.made = [&](const std::string& bytes) { last = bytes; };
+    teller.progress = [](double) { return true; };
+    REQUIRE(work(figureRequest(sample("fish")), teller, noTime));
+    return last;
+  }();
+  REQUIRE(figureFromBytes(whole));
+  CHECK(toBytes(*figureFromBytes(whole)) == whole);
+  Random random(1);
+  for (int run = 0; run < 200; ++run) {
+    const auto cut = static_cast<size_t>(random.between(0, static_cast<double>(whole.size())));
+    CHECK_FALSE(figureFromBytes(whole.substr(0, cut)));
+  }
+  CHECK_FALSE(figureFromBytes(whole + "x"));
+}
+
+TEST_CASE("figure: joints that the rig no longer has follow the one above them") {
+  Random random(2);
+  const Rig rig = randomRig(random, 20);
+  Figure figure;
+  for (const Rig::Joint& joint : rig.joints) figure.joints.push_back({joint.id, joint.parent});
+  Figure finer = figure;
+  for (size_t i = 1; i < finer.joints.size(); i += 3) finer.joints[i].id += "gone";
+  const std::vector<Rigid> motions = posed(rig, randomPose(random, rig));
+  const std::vector<Rigid> same = motionsOf(figure, rig, motions);
+  const std::vector<Rigid> fewer = motionsOf(finer, rig, motions);
+  const Vec3 p{1, 2, 3};
+  for (size_t i = 0; i < rig.joints.size(); ++i) {
+    CHECK(same[i](p) == motions[i](p));
+    const bool gone = i % 3 == 1;
+    const int32_t above = rig.joints[i].parent;
+    if (!gone) CHECK(fewer[i](p) == motions[i](p));
+    if (gone && above >= 0) CHECK(fewer[i](p) == fewer[static_cast<size_t>(above)](p));
+    if (gone && above < 0) CHECK(fewer[i](p) == p);
+  }
+}
+
+namespace {
+
+/// A keeper and the drawing it looks at.
+struct Desk {
+  FigureKeeper keeper;
+  Evaluation evaluation;
+  Document document;
+  double now_ms = 0;
+
+  void show(const Document& next) {
+    document = next;
+    evaluation.update(document);
+    keeper.see(document, evaluation, now_ms);
+  }
+  std::optional<FigureKeeper::Order> wait(double ms, bool posing = false, bool busy = false) {
+    now_ms += ms;
+    return keeper.update(document, busy, posing, now_ms);
+  }
+  std::string bytes(bool guessed) {
+    Figure figure;
+    figure.guessed = guessed;
+    figure.vertices.resize(3);
+    figure.triangles.push_back({0, 1, 2});
+    return toBytes(figure);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("figure keeper: work begins once the drawing has been still for a while") {
+  Desk desk;
+  CHECK_FALSE(desk.wait(5000));  // nothing is drawn
+  desk.show(sample("dog"));
+  CHECK_FALSE(desk.wait(FigureKeeper::kCalmWhilePosing_ms + 1));
+  CHECK(desk.keeper.due_ms() <= FigureKeeper::kCalm_ms + 5000);
+  CHECK_FALSE(desk.wait(5000, false, true));  // a hand is at work
+  const auto order = desk.wait(1);
+  REQUIRE(order);
+  CHECK(order->request == figureRequest(desk.document));
+  CHECK_FALSE(desk.wait(5000));  // once
+
+  desk.keeper.made(order->number, desk.bytes(true));
+  REQUIRE(desk.keeper.figure());
+  CHECK_FALSE(desk.keeper.ready());
+  desk.keeper.progress(order->number, 0.5);
+  CHECK(desk.keeper.done() == 0.5);
+  const uint64_t guess = desk.keeper.meshId();
+  desk.keeper.made(order->number, desk.bytes(false));
+  desk.keeper.ended(order->number, "");
+  CHECK(desk.keeper.ready());
+  CHECK(desk.keeper.meshId() != guess);
+  CHECK(desk.keeper.done() == -1);
+}
+
+TEST_CASE("figure keeper: the newest drawing wins, and what an older one made is not shown") {
+  Desk desk;
+  desk.show(sample("dog"));
+  const auto first = desk.wait(100, true);
+  REQUIRE(first);
+  desk.show(sample("bear"));
+  const auto stop = desk.wait(1, true);
+  REQUIRE(stop);
+  CHECK(stop->request.empty());
+  const auto second = desk.wait(100, true);
+  REQUIRE(second);
+  CHECK(second->number != first->number);
+  desk.keeper.made(first->number, desk.bytes(false));
+  CHECK_FALSE(desk.keeper.figure());
+  desk.keeper.made(second->number, desk.bytes(false));
+  CHECK(desk.keeper.ready());
+  desk.show(sample("dog"));
+  CHECK_FALSE(desk.keeper.figure());
+}
+
+TEST_CASE("figure keeper: a coarser rig keeps the old weights until its own are there") {
+  Desk desk;
+  desk.show(sample("dog"));
+  const auto first = desk.wait(100, true);
+  REQUIRE(first);
+  desk.keeper.made(first->number, desk.bytes(false));
+  desk.keeper.ended(first->number, "");
+  const uint64_t old = desk.keeper.meshId();
+  Document coarser = sample("dog");
+  coarser.refine.simplify = 0.3;
+  desk.show(coarser);
+  CHECK(desk.keeper.figure());
+  CHECK_FALSE(desk.keeper.ready());
+  const auto second = desk.wait(100, true);
+  REQUIRE(second);
+  desk.keeper.made(second->number, desk.bytes(true));
+  CHECK(desk.keeper.meshId() == old);  // better than a guess
+  desk.keeper.made(second->number, desk.bytes(false));
+  CHECK(desk.keeper.meshId() != old);
+  CHECK(desk.keeper.ready());
+}
+
+TEST_CASE("figure keeper: names, colours and poses ask for nothing") {
+  Desk desk;
+  desk.show(sample("dog"));
+  const auto first = desk.wait(100, true);
+  REQUIRE(first);
+  desk.keeper.made(first->number, desk.bytes(false));
+  desk.keeper.ended(first->number, "");
+  Document other = sample("dog");
+  auto part = std::make_shared<PartSource>(*other.parts[0]);
+  part->name = "Trunk";
+  part->color = {1, 2, 3};
+  other.parts[0] = part;
+  other.poses.push_back(std::make_shared<NamedPose>());
+  desk.show(other);
+  CHECK_FALSE(desk.wait(5000, true));
+  CHECK(desk.keeper.ready());
+}
+
+TEST_CASE("figure keeper: what fails is not tried again until the drawing changes") {
+  Desk desk;
+  desk.show(sample("dog"));
+  const auto first = desk.wait(100, true);
+  REQUIRE(first);
+  desk.keeper.ended(first->number, "No.");
+  CHECK(desk.keeper.failure() == "No.");
+  CHECK_FALSE(desk.wait(5000, true));
+  desk.show(sample("bear"));
+  CHECK(desk.keeper.failure().empty());
+  CHECK(desk.wait(100, true));
+}
+
+}  // namespace marrow
