@@ -11,13 +11,13 @@ namespace {
 using Kind = WeightStroke::Kind;
 using Trail = PlacedWeightStroke::Trail;
 
-constexpr double kStep = 0.25;       // of the radius: between places of a stroke
-constexpr double kMostSteps = 1000;  // of a stroke
-constexpr double kReach = 2;         // × the radius: from a stroke to the surface
-constexpr double kScarce = 0.05;     // of others' weight: less is taken where they hold less
-constexpr double kLeast = 1e-6;      // weights below are not worth an entry
-constexpr double kMostRounds = 40;   // of smoothing
-constexpr double kSpread = 2. / 9;   // rounds that even out a third of the radius, × (r ÷ edge)²
+constexpr double kStep = 0.25;            // of the radius: between places of a stroke
+constexpr double kMostSteps = 1000;       // of a stroke
+constexpr double kNear = 0.25, kFar = 2;  // × the radius: from a stroke to the surface
+constexpr double kScarce = 0.05;          // of others' weight: less is taken where they hold less
+constexpr double kLeast = 1e-6;           // weights below are not worth an entry
+constexpr double kMostRounds = 40;        // of smoothing
+constexpr double kSpread = 2. / 9;  // rounds that even out a third of the radius, × (r ÷ edge)²
 constexpr uint32_t kNone = UINT32_MAX;
 
 double square(Vec3 v) { return dot(v, v); }
@@ -185,30 +185,39 @@ WeightPainter::WeightPainter(const Mesh& surface, const Rig& rig)
   for (size_t v = 1; v < starts_.size(); ++v) starts_[v] += starts_[v - 1];
 }
 
-/// The stroke on the surface; a place far from all others begins a piece of its own. seeds: the
-/// vertices around its places.
+/// The stroke on the surface. seeds: the vertices around its places.
 std::vector<Vec3> WeightPainter::drawnToSurface(const Trail& trail,
                                                 std::vector<uint32_t>& seeds) const {
   struct Nearest {
     double squared;
-    uint32_t triangle = kNone;
+    uint32_t triangle;
     Vec3 place;
   };
   const std::vector<Vec3> places = stepsAlong(trail);
-  const double reach = kReach * trail.radius;
-  std::vector<Nearest> nearest(places.size(), {reach * reach, kNone, {}});
-  std::vector<Box3> boxes;
-  for (const Vec3 p : places) boxes.push_back(around(p, reach));
-  BoxTree(std::move(boxes)).pairs(triangles_, [&](uint32_t i, uint32_t t) {
-    const auto& [a, b, c] = surface_.triangles[t];
-    const auto& at = surface_.positions;
-    const Vec3 place = nearestOnTriangle(at[a], at[b], at[c], places[i]);
-    const double squared = square(place - places[i]);
-    Nearest& best = nearest[i];
-    if (squared < best.squared || (squared == best.squared && t < best.triangle)) {
-      best = {squared, t, place};
+  std::vector<Nearest> nearest(places.size(), {0, kNone, {}});
+  // Most lie on it: a short look around finds them.
+  for (const double reach : {kNear * trail.radius, kFar * trail.radius}) {
+    std::vector<Box3> boxes;
+    std::vector<uint32_t> asked;
+    for (uint32_t i = 0; i < places.size(); ++i) {
+      if (nearest[i].triangle != kNone) continue;
+      nearest[i].squared = reach * reach;
+      asked.push_back(i);
+      boxes.push_back(around(places[i], reach));
     }
-  });
+    if (asked.empty()) break;
+    BoxTree(std::move(boxes)).pairs(triangles_, [&](uint32_t k, uint32_t t) {
+      const auto& [a, b, c] = surface_.triangles[t];
+      const auto& at = surface_.positions;
+      const uint32_t i = asked[k];
+      const Vec3 place = nearestOnTriangle(at[a], at[b], at[c], places[i]);
+      const double squared = square(place - places[i]);
+      Nearest& best = nearest[i];
+      if (squared < best.squared || (squared == best.squared && t < best.triangle)) {
+        best = {squared, t, place};
+      }
+    });
+  }
   std::vector<Vec3> drawn;
   for (const Nearest& one : nearest) {
     if (one.triangle == kNone) continue;
@@ -221,30 +230,28 @@ std::vector<Vec3> WeightPainter::drawnToSurface(const Trail& trail,
 std::vector<WeightPainter::Share> WeightPainter::cover(const Trail& trail) const {
   std::vector<uint32_t> seeds;
   const std::vector<Vec3> drawn = drawnToSurface(trail, seeds);
-  if (drawn.empty()) return {};
-  Box3 box;
-  for (const Vec3 p : drawn) {
-    box.include(around(p, trail.radius).low);
-    box.include(around(p, trail.radius).high);
-  }
   const double squared_radius = trail.radius * trail.radius;
-  const size_t n = surface_.positions.size();
-  std::vector<double> squared(n, squared_radius);
-  for (uint32_t v = 0; v < n; ++v) {
-    const Vec3 p = surface_.positions[v];
-    if (!box.has(p)) continue;
+  const auto squaredDistance = [&](Vec3 p) {
+    double least = squared_radius;
     for (size_t i = 0; i < drawn.size(); ++i) {
       const Vec3 from = drawn[i > 0 ? i - 1 : 0];
+      // Places far apart are of pieces of their own.
       const bool joined = square(drawn[i] - from) < squared_radius;
       const Vec3 near = joined ? nearestOnSegment(from, drawn[i], p) : drawn[i];
-      squared[v] = std::min(squared[v], square(near - p));
+      least = std::min(least, square(near - p));
     }
-  }
-  std::vector<char> reached(n, 0);
+    return least;
+  };
+  std::vector<char> asked(surface_.positions.size(), 0);
   std::vector<uint32_t> todo;
+  std::vector<Share> shares;
   const auto reach = [&](uint32_t v) {
-    if (reached[v] || !(squared[v] < squared_radius)) return;
-    reached[v] = 1;
+    if (asked[v]) return;
+    asked[v] = 1;
+    const double squared = squaredDistance(surface_.positions[v]);
+    if (!(squared < squared_radius)) return;
+    const double rest = 1 - squared / squared_radius;
+    shares.push_back({v, rest * rest});
     todo.push_back(v);
   };
   for (const uint32_t v : seeds) reach(v);
@@ -253,53 +260,61 @@ std::vector<WeightPainter::Share> WeightPainter::cover(const Trail& trail) const
     todo.pop_back();
     for (uint32_t i = starts_[v]; i < starts_[v + 1]; ++i) reach(neighbours_[i]);
   }
-  std::vector<Share> shares;
-  for (uint32_t v = 0; v < n; ++v) {
-    if (!reached[v]) continue;
-    const double rest = 1 - squared[v] / squared_radius;
-    shares.push_back({v, rest * rest});
-  }
+  std::sort(shares.begin(), shares.end(),
+            [](const Share& a, const Share& b) { return a.vertex < b.vertex; });
   return shares;
 }
 
 std::vector<uint32_t> WeightPainter::paint(const PlacedWeightStroke& stroke,
                                            std::vector<JointWeights>& weights) const {
   const double strength = std::min(stroke.strength, 1.0);
-  std::map<uint32_t, std::vector<Dab>> dabs;  // by vertex
+  std::vector<std::vector<Share>> covered;  // by trail
+  std::vector<uint32_t> joints;
   double radius = 0;
   for (const Trail& trail : stroke.trails) {
     const auto found = joints_.find(trail.joint);
     const bool any = stroke.kind == Kind::smooth;
     if (!(strength > 0) || !(trail.radius > 0) || (!any && found == joints_.end())) continue;
-    const uint32_t joint = any ? kNone : found->second;
+    joints.push_back(any ? kNone : found->second);
     radius = std::max(radius, trail.radius);
-    for (const Share& one : cover(trail)) {
-      const double share = one.share * strength;
-      if (weights[one.vertex].empty() || !(share > 0)) continue;
-      auto& here = dabs[one.vertex];
-      if (!here.empty() && here[0].joint == joint) {
-        here[0].share = std::max(here[0].share, share);
+    covered.push_back(cover(trail));
+  }
+  // Vertex by vertex, along all trails at once.
+  std::vector<uint32_t> vertices;
+  std::vector<Share> smoothed;
+  std::vector<size_t> next(covered.size(), 0);
+  for (std::vector<Dab> dabs;; dabs.clear()) {
+    uint32_t vertex = kNone;
+    for (size_t i = 0; i < covered.size(); ++i) {
+      if (next[i] < covered[i].size()) vertex = std::min(vertex, covered[i][next[i]].vertex);
+    }
+    if (vertex == kNone) break;
+    for (size_t i = 0; i < covered.size(); ++i) {
+      if (next[i] == covered[i].size() || covered[i][next[i]].vertex != vertex) continue;
+      const double share = covered[i][next[i]++].share * strength;
+      if (!(share > 0)) continue;
+      const auto same = std::find_if(dabs.begin(), dabs.end(),
+                                     [&](const Dab& dab) { return dab.joint == joints[i]; });
+      if (same == dabs.end()) {
+        dabs.push_back({joints[i], share});
       } else {
-        here.push_back({joint, share});
+        same->share = std::max(same->share, share);
       }
     }
-  }
-  std::vector<uint32_t> vertices;
-  if (stroke.kind == Kind::smooth) {
-    std::vector<Share> shares;
-    for (const auto& [vertex, own] : dabs) shares.push_back({vertex, own[0].share});
-    return smooth(shares, radius, weights);
-  }
-  for (const auto& [vertex, own] : dabs) {
+    if (dabs.empty() || weights[vertex].empty()) continue;
+    if (stroke.kind == Kind::smooth) {
+      smoothed.push_back({vertex, dabs[0].share});
+      continue;
+    }
     vertices.push_back(vertex);
     if (stroke.kind == Kind::add) {
-      add(own, weights[vertex]);
+      add(dabs, weights[vertex]);
     } else {
-      take(own, weights[vertex]);
+      take(dabs, weights[vertex]);
     }
     tidy(weights[vertex]);
   }
-  return vertices;
+  return stroke.kind == Kind::smooth ? smooth(smoothed, radius, weights) : vertices;
 }
 
 std::vector<uint32_t> WeightPainter::smooth(const std::vector<Share>& shares, double radius,
