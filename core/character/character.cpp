@@ -5,37 +5,48 @@
 #include <map>
 #include <utility>
 
+#include "document/symmetry.h"
+#include "solid/blend.h"
+
 namespace marrow {
 namespace {
 
+constexpr uint32_t kNone = UINT32_MAX;
 constexpr double kSameNormal = 1e-6;  // 1 − cosine; closer ones share a vertex
 
-/// The weights of bones as those of the joints that they leave, the largest few.
-VertexSkin skinOf(const Influences& influences, const Rig& rig) {
-  std::vector<std::pair<double, uint32_t>> joints;
+/// The weights of bones as those of the joints that they leave.
+JointWeights jointWeights(const Influences& influences, const Rig& rig) {
+  JointWeights weights;
   for (const Influence& one : influences) {
     if (!(one.weight > 0)) continue;
     const uint32_t joint = rig.bones[one.bone][0];
-    const auto same = std::find_if(joints.begin(), joints.end(),
-                                   [&](const auto& other) { return other.second == joint; });
-    if (same == joints.end()) {
-      joints.push_back({one.weight, joint});
+    const auto same = std::find_if(weights.begin(), weights.end(),
+                                   [&](const JointWeight& other) { return other.joint == joint; });
+    if (same == weights.end()) {
+      weights.push_back({joint, one.weight});
     } else {
-      same->first += one.weight;
+      same->weight += one.weight;
     }
   }
-  std::sort(joints.begin(), joints.end(), [](const auto& a, const auto& b) {
-    return a.first != b.first ? a.first > b.first : a.second < b.second;
+  std::sort(weights.begin(), weights.end(),
+            [](const JointWeight& a, const JointWeight& b) { return a.joint < b.joint; });
+  return weights;
+}
+
+/// The largest few.
+VertexSkin skinOf(JointWeights joints) {
+  std::sort(joints.begin(), joints.end(), [](const JointWeight& a, const JointWeight& b) {
+    return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
   });
   joints.resize(std::min(joints.size(), VertexSkin::kMost));
   double sum = 0;
-  for (const auto& [weight, joint] : joints) sum += weight;
+  for (const JointWeight& one : joints) sum += one.weight;
   VertexSkin skin;
   if (!(sum > 0)) return skin;
   double others = 0;
   for (size_t k = joints.size(); k-- > 0;) {
-    skin.joints[k] = joints[k].second;
-    skin.weights[k] = k > 0 ? joints[k].first / sum : 1 - others;
+    skin.joints[k] = joints[k].joint;
+    skin.weights[k] = k > 0 ? joints[k].weight / sum : 1 - others;
     others += skin.weights[k];
   }
   // Equal but for the rounding of the rest: the order stays.
@@ -44,6 +55,74 @@ VertexSkin skinOf(const Influences& influences, const Rig& rig) {
     std::swap(skin.joints[0], skin.joints[1]);
   }
   return skin;
+}
+
+std::vector<JointWeights> jointWeights(const std::vector<Influences>& influences, const Rig& rig) {
+  std::vector<JointWeights> weights;
+  weights.reserve(influences.size());
+  for (const Influences& one : influences) weights.push_back(jointWeights(one, rig));
+  return weights;
+}
+
+/// The strokes over the weights of the merged surface; and which vertices they reached.
+std::vector<char> paintOver(const Mesh& merged, const Rig& rig,
+                            const std::vector<PlacedWeightStroke>& strokes,
+                            std::vector<JointWeights>& weights) {
+  std::vector<char> painted(merged.positions.size(), 0);
+  if (strokes.empty()) return painted;
+  const WeightPainter painter(merged, rig);
+  for (const PlacedWeightStroke& stroke : strokes) {
+    for (const uint32_t v : painter.paint(stroke, weights)) painted[v] = 1;
+  }
+  return painted;
+}
+
+/// For each point the nearest vertex of the merged surface, where one is as near as its edges are
+/// long; else kNone.
+std::vector<uint32_t> nearestVertices(const Mesh& merged, const std::vector<Vec3>& points) {
+  double edges = 0;
+  for (const auto& [a, b, c] : merged.triangles) {
+    edges += distance(merged.positions[a], merged.positions[b]);
+  }
+  const double reach = edges / static_cast<double>(merged.triangles.size());
+  std::vector<Box3> boxes(points.size()), vertices(merged.positions.size());
+  for (size_t i = 0; i < points.size(); ++i) {
+    boxes[i].include(points[i] - Vec3{reach, reach, reach});
+    boxes[i].include(points[i] + Vec3{reach, reach, reach});
+  }
+  for (size_t v = 0; v < vertices.size(); ++v) vertices[v].include(merged.positions[v]);
+  std::vector<uint32_t> nearest(points.size(), kNone);
+  std::vector<double> best(points.size(), reach);
+  BoxTree(std::move(boxes)).pairs(BoxTree(std::move(vertices)), [&](uint32_t i, uint32_t v) {
+    const double here = distance(points[i], merged.positions[v]);
+    if (!(here < best[i] || (here == best[i] && v < nearest[i]))) return;
+    best[i] = here;
+    nearest[i] = v;
+  });
+  return nearest;
+}
+
+void report(const std::vector<VertexSkin>& skin, Character::WeightReport& into) {
+  for (const VertexSkin& own : skin) {
+    double sum = 0;
+    for (const double weight : own.weights) {
+      sum += weight;
+      into.min = std::min(into.min, weight);
+      into.max = std::max(into.max, weight);
+    }
+    into.max_sum_error = std::max(into.max_sum_error, std::abs(sum - 1));
+  }
+}
+
+/// Of a merged body: its vertices follow what those of the merged surface follow.
+void skinBody(const std::vector<JointWeights>& weights, Character& character) {
+  std::vector<VertexSkin> skin;
+  skin.reserve(weights.size());
+  for (const JointWeights& one : weights) skin.push_back(skinOf(one));
+  for (SkinnedMesh& body : character.meshes) {
+    body.skin.clear();
+    for (const uint32_t v : body.merged_vertex) body.skin.push_back(skin[v]);
+  }
 }
 
 /// Vertices once for each normal that their triangles have there.
@@ -67,6 +146,7 @@ SkinnedMesh withNormals(const MergedMesh& merged) {
       here.push_back(corners[k]);
       split.mesh.positions.push_back(merged.mesh.positions[vertex]);
       split.normals.push_back(normal);
+      split.merged_vertex.push_back(vertex);
     }
     split.mesh.triangles.push_back(corners);
   }
@@ -132,6 +212,9 @@ class Maker {
       if (part) solids.push_back({&part->mesh, placed[i].frame, static_cast<uint32_t>(i)});
     }
     made_.merged = mergeSolids(solids, options_.merge, clock_);
+    if (options_.merged) {
+      made_.merged = blendSeams(std::move(made_.merged), {options_.blend}, clock_);
+    }
     for (const MergedMesh::LeftOut& out : made_.merged.left_out) {
       made_.left_out.push_back({placed[out.id].id, out.why});
     }
@@ -166,30 +249,44 @@ class Maker {
 
   void addWeights(WeightOptions weighting, const WeightProgress& progress) {
     const Rig& rig = evaluation_.rig();
-    WeightReport& report = made_.weights.emplace();
-    report.bones = rig.bones.size();
-    if (rig.bones.empty()) return;
+    WeightReport& weights = made_.weights.emplace();
+    weights.bones = rig.bones.size();
+    if (rig.bones.empty() || made_.meshes.empty()) return;
     if (options_.symmetry) {
       weighting.volume.centre = options_.symmetry->normal * -options_.symmetry->offset;
     }
-    const auto field =
-        WeightField::make(made_.merged.mesh, boneSegments(rig), weighting, progress, clock_);
+    const Mesh& merged = made_.merged.mesh;
+    const auto field = WeightField::make(merged, boneSegments(rig), weighting, progress, clock_);
     watch_.lap("weights");
-    if (!field) return;
-    report.min = 1;
-    for (SkinnedMesh& mesh : made_.meshes) {
-      for (const Influences& influences : field->at(mesh.mesh)) {
-        mesh.skin.push_back(skinOf(influences, rig));
-        double sum = 0;
-        for (const double weight : mesh.skin.back().weights) {
-          sum += weight;
-          report.min = std::min(report.min, weight);
-          report.max = std::max(report.max, weight);
-        }
-        report.max_sum_error = std::max(report.max_sum_error, std::abs(sum - 1));
+    if (!field) {
+      made_.weights.reset();
+      made_.no_weights = field.message();
+      return;
+    }
+    made_.unpainted = jointWeights(field->at(merged), rig);
+    std::vector<JointWeights> painted = made_.unpainted;
+    const std::vector<char> reached = paintOver(merged, rig, options_.strokes, painted);
+    if (options_.merged) {
+      skinBody(painted, made_);
+    } else {
+      for (SkinnedMesh& part : made_.meshes) skinPart(*field, painted, reached, part);
+    }
+    weights.min = 1;
+    for (const SkinnedMesh& mesh : made_.meshes) report(mesh.skin, weights);
+    watch_.lap("vertices");
+  }
+
+  /// What was painted on the body shows on the parts that it was made of.
+  void skinPart(const WeightField& field, const std::vector<JointWeights>& painted,
+                const std::vector<char>& reached, SkinnedMesh& part) {
+    std::vector<JointWeights> own = jointWeights(field.at(part.mesh), evaluation_.rig());
+    if (std::find(reached.begin(), reached.end(), 1) != reached.end()) {
+      const auto nearest = nearestVertices(made_.merged.mesh, part.mesh.positions);
+      for (size_t i = 0; i < own.size(); ++i) {
+        if (nearest[i] != kNone && reached[nearest[i]]) own[i] = painted[nearest[i]];
       }
     }
-    watch_.lap("vertices");
+    for (JointWeights& one : own) part.skin.push_back(skinOf(std::move(one)));
   }
 
   const Evaluation& evaluation_;
@@ -203,9 +300,28 @@ class Maker {
 
 }  // namespace
 
+CharacterOptions characterOptions(const Document& document) {
+  CharacterOptions options;
+  options.symmetry = symmetryPlane(document);
+  options.blend = document.blend;
+  options.strokes = placedStrokes(document);
+  return options;
+}
+
 Character makeCharacter(const Evaluation& evaluation, const CharacterOptions& options, Clock clock,
                         const CharacterWatch& watch) {
   return Maker(evaluation, options, clock, watch).make();
+}
+
+void repaint(Character& character, const Rig& rig, const std::vector<PlacedWeightStroke>& strokes) {
+  if (character.unpainted.empty() || character.meshes.empty()) return;
+  std::vector<JointWeights> weights = character.unpainted;
+  paintOver(character.merged.mesh, rig, strokes, weights);
+  skinBody(weights, character);
+  if (!character.weights) return;
+  WeightReport& of = *character.weights;
+  of = {of.bones, 0, 1, 0};
+  for (const SkinnedMesh& mesh : character.meshes) report(mesh.skin, of);
 }
 
 }  // namespace marrow

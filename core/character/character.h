@@ -13,6 +13,7 @@
 #include "pose/skin.h"
 #include "solid/merge.h"
 #include "weights/skin_weights.h"
+#include "weights/weight_strokes.h"
 
 namespace marrow {
 
@@ -30,15 +31,21 @@ struct SkinnedMesh {
   std::vector<Vec3> normals;
   std::vector<VertexSkin> skin;             // joints: indices of the rig's
   std::vector<uint32_t> paint_of_triangle;  // an index of Character::paints
+  /// Of a merged body: for each vertex the one of Character::merged that it is, or a double of.
+  std::vector<uint32_t> merged_vertex;
 };
 
 struct CharacterOptions {
   bool merged = true;  // else each part is a mesh of its own
   bool weights = true;
   std::optional<Plane> symmetry;  // where it lies along the axes, twins get the same weights
+  double blend = 0;               // of a merged body: how far around seams are soft (see blend.h)
+  std::vector<PlacedWeightStroke> strokes;  // painted over the weights, one after the other
   MergeOptions merge;
   WeightOptions weighting;
 };
+/// As the document has it: symmetry, blend and strokes.
+CharacterOptions characterOptions(const Document& document);
 
 struct Character;
 
@@ -64,13 +71,21 @@ struct Character {
   std::vector<SkinnedMesh> meshes;
   std::vector<Paint> paints;  // one per placed part that is shown
   std::vector<LeftOut> left_out;
-  std::optional<WeightReport> weights;  // where they were asked for
-  Timings timings;                      // stages: merge, weights, vertices
+  std::optional<WeightReport> weights;  // where they were asked for and there are some
+  std::string no_weights;  // a sentence: why there are none though they were asked for, and there
+                           // are meshes and bones
+  /// As computed, before strokes: one per vertex of `merged`; empty where there are no weights.
+  std::vector<JointWeights> unpainted;
+  Timings timings;  // stages: merge, weights, vertices
 };
 
 /// Of all visible parts. A joint moves what the bones that leave it hold [RS §4.1]: weights are
 /// those of bounded biharmonic functions on the body's volume, the largest four of each vertex.
 Character makeCharacter(const Evaluation& evaluation, const CharacterOptions& options = {},
                         Clock clock = nullptr, const CharacterWatch& watch = {});
+
+/// A merged character with other strokes over the same weights: what makeCharacter would make of
+/// it, without computing them again. O(vertices · strokes), and little where strokes are short.
+void repaint(Character& character, const Rig& rig, const std::vector<PlacedWeightStroke>& strokes);
 
 }  // namespace marrow

@@ -1,5 +1,6 @@
 // The command line.
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -38,16 +39,21 @@ constexpr char kUsage[] =
     "  --obj OUT       the visible parts' meshes where they are in space, and the bones as lines\n"
     "  --svg OUT       a picture from three sides\n"
     "  --glb OUT       the skinned model for Blender, three.js and game engines, with its poses;\n"
-    "                  the drawing lies in it, to be opened again. With it, or one of the two\n"
-    "                  below, the JSON also tells of the merged body and of the weights\n"
+    "                  the drawing lies in it, to be opened again. With it, --gltf, --merge or\n"
+    "                  --parts, the JSON also tells of the merged body and of the weights\n"
+    "  --gltf OUT      the same as a text\n"
     "  --merge         one watertight body around all parts (the default)\n"
     "  --parts         each part a mesh of its own\n"
     "  --no-weights    the meshes follow no bone\n"
+    "  --blend R       how far around the seams between parts the body is soft, 0 … 1000 units\n"
+    "                  (default: as the document has it)\n"
+    "  --scale X       metres per unit, 1e-09 … 1e+09 (default 0.01)\n"
     "\n"
     "       marrow pose DOCUMENT.json [--pose NAME] [options]\n"
     "Gives the watertight body in one of the document's poses, or at rest.\n"
     "\n"
     "  --dual          skinned by dual quaternions, not linearly\n"
+    "  --blend R       as above\n"
     "  --obj OUT, --stl OUT, --ply OUT   the mesh; STL and PLY are binary\n"
     "\n"
     "  --help          this text\n"
@@ -75,10 +81,29 @@ int run(const std::vector<std::string>& words) {
 
 }  // namespace
 
-int refuse(const std::string& fault) {
+void warn(const std::string& fault) {
   const std::string line = printable("marrow: " + fault) + '\n';
   std::fputs(line.c_str(), stderr);
+}
+
+int refuse(const std::string& fault) {
+  warn(fault);
   return kRefused;
+}
+
+bool isFinite(const Evaluation& character) {
+  const auto isSomewhere = [](Vec3 p) { return std::isfinite(dot(p, p)); };
+  for (const Rig::Joint& joint : character.rig().joints) {
+    if (!isSomewhere(joint.position) || !std::isfinite(joint.radius)) return false;
+  }
+  for (const PlacedPart& placed : character.placed()) {
+    const Part* part = character.parts()[placed.source].part.get();
+    if (!part) continue;
+    for (const Vec3 p : part->mesh.positions) {
+      if (!isSomewhere(placed.frame.toWorld(p))) return false;
+    }
+  }
+  return true;
 }
 
 double milliseconds() {

@@ -4,14 +4,14 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/files.h"
-#include "document/symmetry.h"
 #include "io/mesh_export.h"
 #include "pose/pose.h"
 
 namespace marrow {
 namespace {
 
-const Options kOptions = {"document", {"--obj", "--stl", "--ply"}, {}, {"--pose"}, {"--dual"}};
+const Options kOptions = {
+    "document", {"--obj", "--stl", "--ply"}, {{"--blend", kBlend}}, {"--pose"}, {"--dual"}};
 
 int printPoses(const std::string& path, const Document& document) {
   std::printf("%s: poses: %zu\n", printable(fileName(path)).c_str(), document.poses.size());
@@ -36,10 +36,14 @@ int runPose(const std::vector<std::string>& words) {
 
   Evaluation evaluation({}, milliseconds);
   evaluation.update(*document);
-  CharacterOptions options;
+  if (!isFinite(evaluation)) return refuse(path + ": " + toSentence(Status::meshFailed));
+  CharacterOptions options = characterOptions(*document);
   options.weights = pose != nullptr;
-  options.symmetry = symmetryPlane(*document);
+  options.blend = arguments->findNumber("--blend").value_or(options.blend);
   Character made = makeCharacter(evaluation, options, milliseconds);
+  if (!made.no_weights.empty()) {
+    return refuse(path + ": the body follows no bone: " + made.no_weights);
+  }
   SkinnedMesh body = made.meshes.empty() ? SkinnedMesh{} : std::move(made.meshes[0]);
   if (pose && !body.skin.empty()) {
     const Skinning how = arguments->has("--dual") ? Skinning::dualQuaternions : Skinning::linear;

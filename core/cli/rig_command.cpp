@@ -1,14 +1,11 @@
 // marrow rig: a document's file in, the character with its skeleton as JSON, OBJ and SVG out.
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "document/evaluation.h"
-#include "document/symmetry.h"
 #include "io/export_text.h"
 #include "io/glb.h"
 #include "io/rig_export.h"
@@ -18,11 +15,13 @@ namespace {
 
 constexpr Range kThreshold = {0, Refinement::kLargest};
 const Options kOptions = {"document",
-                          {"--json", "--obj", "--svg", "--glb"},
+                          {"--json", "--obj", "--svg", "--glb", "--gltf"},
                           {{"--eps-s", kThreshold},
                            {"--eps-m", kThreshold},
                            {"--eps-t", kThreshold},
-                           {"--eps-c", kThreshold}},
+                           {"--eps-c", kThreshold},
+                           {"--blend", kBlend},
+                           {"--scale", {GlbOptions::kLeastScale, GlbOptions::kLargestScale}}},
                           {},
                           {"--merge", "--parts", "--no-weights"}};
 constexpr struct {
@@ -32,13 +31,6 @@ constexpr struct {
                    {"--eps-m", &Refinement::merge},
                    {"--eps-t", &Refinement::prune},
                    {"--eps-c", &Refinement::collapse}};
-
-bool isFinite(const Rig& rig) {
-  return std::all_of(rig.joints.begin(), rig.joints.end(), [](const Rig::Joint& joint) {
-    return std::isfinite(joint.position.x) && std::isfinite(joint.position.y) &&
-           std::isfinite(joint.position.z) && std::isfinite(joint.radius);
-  });
-}
 
 /// A file's name without its ending.
 std::string stem(const std::string& name) { return name.substr(0, name.find_last_of('.')); }
@@ -113,24 +105,35 @@ int runRig(const std::vector<std::string>& words) {
   }
   Evaluation character({}, milliseconds);
   character.update(*document);
-  if (!isFinite(character.rig())) return refuse(path + ": " + toSentence(Status::meshFailed));
+  if (!isFinite(character)) return refuse(path + ": " + toSentence(Status::meshFailed));
 
   const bool merge = arguments->has("--merge"), parts = arguments->has("--parts");
   if (merge && parts) return refuse("--merge or --parts, not both (marrow --help tells more)");
-  const auto* glb = arguments->findPath("--glb");
+  const auto *glb = arguments->findPath("--glb"), *gltf = arguments->findPath("--gltf");
   std::vector<OutputFile> files;
   const auto* json = arguments->findPath("--json");
   Json tree = json ? rigToTree(character) : Json();
-  if (glb || merge || parts) {
-    CharacterOptions options;
+  std::string warning;
+  if (glb || gltf || merge || parts) {
+    CharacterOptions options = characterOptions(*document);
     options.merged = !parts;
     options.weights = !arguments->has("--no-weights");
-    options.symmetry = symmetryPlane(*document);
+    options.blend = arguments->findNumber("--blend").value_or(options.blend);
     const Character made = makeCharacter(character, options, milliseconds);
-    if (glb) {
-      const auto bytes = toGlb(glbOf(made, character.rig(), *document, stem(fileName(path))));
-      if (!bytes) return refuse(path + ": it is too large for a GLB file");
-      files.push_back({*glb, *bytes});
+    if (!made.no_weights.empty()) {
+      warning = path + ": the meshes follow no bone: " + made.no_weights;
+    }
+    const GlbCharacter model = glbOf(made, character.rig(), *document, stem(fileName(path)));
+    GlbOptions how;
+    how.metres_per_unit = arguments->findNumber("--scale").value_or(how.metres_per_unit);
+    const auto add = [&](const std::string* out, const auto& write) {
+      if (!out) return true;
+      const Result<std::string> bytes = write(model, how);
+      if (bytes) files.push_back({*out, *bytes});
+      return static_cast<bool>(bytes);
+    };
+    if (!add(glb, toGlb) || !add(gltf, toGltf)) {
+      return refuse(path + ": it is too large for a glTF file");
     }
     if (json) addCharacter(tree, made);
   }
@@ -139,9 +142,9 @@ int runRig(const std::vector<std::string>& words) {
   if (const auto* out = arguments->findPath("--svg")) {
     files.push_back({*out, rigToSvg(fileName(path), character)});
   }
-  if (files.empty()) return printSummary(path, character);
   if (auto error = writeAll(files)) return refuse(error->message());
-  return kFine;
+  if (!warning.empty()) warn(warning);
+  return files.empty() ? printSummary(path, character) : kFine;
 }
 
 }  // namespace marrow

@@ -129,6 +129,7 @@ Result<Document> applyTo(const Document& document, const DeleteParts& command) {
   for (size_t i = 0; i < document.parts.size(); ++i) {
     if (!std::binary_search(gone->begin(), gone->end(), i)) next.parts.push_back(document.parts[i]);
   }
+  if (!gone->empty()) dropLostStrokes(next);
   return next;
 }
 
@@ -189,6 +190,13 @@ Result<Document> applyTo(const Document& document, const DuplicateParts& command
     }
     next.parts.push_back(share(std::move(copy)));
   }
+  const auto rename = [&](const std::string& placed_id) {
+    const auto other = copy_of.find(sourceId(placed_id));
+    if (other == copy_of.end()) return placed_id;
+    return other->second + (isTwinId(placed_id) ? kTwinSuffix : "");
+  };
+  for (const auto& [original, copy] : copy_of) copyStrokes(original, copy, false, rename, next);
+  if (next.weight_strokes.size() > Document::kMostWeightStrokes) return Status::tooMany;
   return next;
 }
 
@@ -203,7 +211,8 @@ Result<Document> applyTo(const Document& document, const TransformParts& command
     const bool twin = part.mirror && named.count(part.id + kTwinSuffix) > 0;
     const bool itself = !twin || named.count(part.id) > 0;
     all = all && itself && (twin || !part.mirror);
-    auto moved = mapped(part, itself ? command.map : mirrored(command.map, *part.mirror));
+    const Affine map = itself ? command.map : mirrored(command.map, *part.mirror);
+    auto moved = mapped(part, map);
     if (!moved) return moved.error();
     if (itself && twin) {
       moved->mirror = mapped(*part.mirror, command.map);
@@ -211,7 +220,9 @@ Result<Document> applyTo(const Document& document, const TransformParts& command
     }
     const bool same = moved->frame == part.frame && moved->mirror == part.mirror &&
                       moved->thickness == part.thickness && moved->stroke == part.stroke;
-    if (!same) next.parts[i] = share(std::move(*moved));
+    if (same) continue;
+    bringStrokes(part, map, *moved, next);
+    next.parts[i] = share(std::move(*moved));
   }
   if (all && document.symmetry) {
     next.symmetry = mapped(*document.symmetry, command.map);
@@ -286,6 +297,29 @@ Attachment attachmentOfTwin(const Document& document, const Attachment& attachme
   return {attachment.part, {at.x, at.y}};
 }
 
+/// What lay on twins lies on the parts that they became. new_id: of what was a twin.
+void separateStrokes(const Document& before, const std::map<std::string, std::string>& new_id,
+                     Document& document) {
+  if (document.weight_strokes.empty()) return;
+  const auto renamed = [&](const std::string& placed_id) {
+    const auto found = new_id.find(placed_id);
+    return found == new_id.end() ? placed_id : found->second;
+  };
+  for (const auto& [twin, id] : new_id) {
+    const auto opposite = [&](const std::string& placed_id) {
+      return renamed(oppositePlaced(before, placed_id));
+    };
+    copyStrokes(sourceId(twin), id, true, opposite, document);
+  }
+  for (auto& shared : document.weight_strokes) {
+    std::string joint = renamedJoint(shared->joint, renamed);
+    if (joint == shared->joint) continue;
+    WeightStroke stroke = *shared;
+    stroke.joint = std::move(joint);
+    shared = std::make_shared<const WeightStroke>(std::move(stroke));
+  }
+}
+
 Result<Document> applyTo(const Document& document, const SeparateTwins& command) {
   const auto found = findUnlocked(document, command.ids);
   if (!found) return found.error();
@@ -330,6 +364,8 @@ Result<Document> applyTo(const Document& document, const SeparateTwins& command)
     retarget(twin->second);
     next.parts.push_back(share(std::move(twin->second)));
   }
+  separateStrokes(document, new_id, next);
+  if (next.weight_strokes.size() > Document::kMostWeightStrokes) return Status::tooMany;
   return next;
 }
 
@@ -496,6 +532,39 @@ Result<Document> applyTo(const Document& document, const DeletePose& command) {
   const auto place = findPose(next, command.name);
   if (place == next.poses.end()) return noPose(command.name);
   next.poses.erase(place);
+  return next;
+}
+
+Result<Document> applyTo(const Document& document, const SetBlend& command) {
+  Document next = document;
+  next.blend = clamp(command.radius, 0, Document::kLargestBlend);
+  return next;
+}
+
+Result<Document> applyTo(const Document& document, const AddWeightStroke& command) {
+  auto stroke = strokeOnPart(document, command.stroke);
+  if (!stroke) return stroke.error();
+  const auto part = findUnlocked(document, {stroke->part});
+  if (!part) return part.error();
+  if (document.weight_strokes.size() >= Document::kMostWeightStrokes) return Status::tooMany;
+  Document next = document;
+  next.weight_strokes.push_back(std::make_shared<const WeightStroke>(std::move(*stroke)));
+  return next;
+}
+
+Result<Document> applyTo(const Document& document, const ClearWeightStrokes& command) {
+  const auto isMeant = [&](const WeightStroke& stroke) {
+    const auto index = document.find(stroke.part);
+    if (index && document.parts[*index]->locked) return false;
+    if (command.joint.empty() || stroke.joint == command.joint) return true;
+    const bool twins = index && document.parts[*index]->mirror;
+    return twins && oppositeJoint(document, stroke.joint) == command.joint;
+  };
+  Document next = document;
+  auto& strokes = next.weight_strokes;
+  strokes.erase(std::remove_if(strokes.begin(), strokes.end(),
+                               [&](const auto& one) { return isMeant(*one); }),
+                strokes.end());
   return next;
 }
 

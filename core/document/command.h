@@ -121,6 +121,20 @@ struct RenamePose {
 struct DeletePose {
   std::string name;
 };
+/// How far around seams parts grow into each other.
+struct SetBlend {
+  double radius;
+};
+/// A stroke of the weight brush, as it lies in space at rest; `part` is a placed part's id. See
+/// strokeOnPart for the errors; locked.
+struct AddWeightStroke {
+  WeightStroke stroke;
+};
+/// What was painted for a joint, and for the one opposite where twins share it. An empty id: all
+/// there is. Strokes on locked parts stay.
+struct ClearWeightStrokes {
+  std::string joint;
+};
 struct ReplaceDocument {  // open, new
   Document document;
   std::string name;  // of the step: "Open", "New drawing"
@@ -129,11 +143,11 @@ struct ReplaceDocument {  // open, new
 /// Any one of the above. A type of its own rather than a variant, so that `apply` never means
 /// std::apply.
 struct Command {
-  using Step =
-      std::variant<AddPart, DeleteParts, DuplicateParts, TransformParts, SetThickness, SetColor,
-                   SetVisible, SetLocked, SetSkeleton, RenamePart, SetStroke, SetMirror,
-                   SeparateTwins, SetSymmetry, SetRefinement, ResetRefinement, SetAttachment,
-                   SetRoot, SetReference, SetPose, RenamePose, DeletePose, ReplaceDocument>;
+  using Step = std::variant<AddPart, DeleteParts, DuplicateParts, TransformParts, SetThickness,
+                            SetColor, SetVisible, SetLocked, SetSkeleton, RenamePart, SetStroke,
+                            SetMirror, SeparateTwins, SetSymmetry, SetRefinement, ResetRefinement,
+                            SetAttachment, SetRoot, SetReference, SetPose, RenamePose, DeletePose,
+                            SetBlend, AddWeightStroke, ClearWeightStrokes, ReplaceDocument>;
   template <typename One, typename = std::enable_if_t<std::is_constructible_v<Step, One>>>
   Command(One one) : step(std::move(one)) {}
 

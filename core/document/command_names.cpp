@@ -111,6 +111,14 @@ std::string describeIn(const Document&, const RenamePose& command) {
 std::string describeIn(const Document&, const DeletePose& command) {
   return "Delete pose " + onOneLine(command.name);
 }
+std::string describeIn(const Document&, const SetBlend&) { return "Soft seams"; }
+std::string describeIn(const Document& before, const AddWeightStroke& command) {
+  const char* verbs[] = {"Add weight on ", "Take weight on ", "Smooth weights on "};
+  return verbs[static_cast<size_t>(command.stroke.kind)] + named(before, command.stroke.part);
+}
+std::string describeIn(const Document&, const ClearWeightStrokes& command) {
+  return command.joint.empty() ? "Clear painted weights" : "Clear a joint's painted weights";
+}
 std::string describeIn(const Document&, const ReplaceDocument& command) { return command.name; }
 
 }  // namespace

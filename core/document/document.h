@@ -14,6 +14,7 @@
 #include "base/vec.h"
 #include "document/pose.h"
 #include "document/refinement.h"
+#include "document/weight_stroke.h"
 
 namespace marrow {
 
@@ -86,16 +87,20 @@ struct Document {
   static constexpr int kVersion = 1;
   static constexpr size_t kMostParts = 10'000;
   static constexpr size_t kMostPoses = 1'000;
+  static constexpr size_t kMostWeightStrokes = 5'000;
+  static constexpr double kLargestBlend = 1'000;
 
   std::vector<std::shared_ptr<const PartSource>> parts;  // in modelling order, never null
   Refinement refine;                                     // of the whole model; unset: the defaults
   std::optional<Plane> symmetry;  // the character's symmetry plane, if the user gave one
   std::vector<std::shared_ptr<const Reference>> references;  // at most one per view, never null
   std::vector<std::shared_ptr<const NamedPose>> poses;       // in the user's order, never null
-  uint64_t last_part = 0;    // largest n for which an id "part-n" was ever given
-  std::string extra = "{}";  // as above
-  uint64_t drawing = 0;      // the app's number for what was opened or begun; not saved, so that
-                             // undoing "Open" brings back which file the drawing belongs to
+  double blend = 0;  // how far around seams the body is soft, model units; 0 … kLargestBlend
+  WeightStrokes weight_strokes;  // in the order painted, never null
+  uint64_t last_part = 0;        // largest n for which an id "part-n" was ever given
+  std::string extra = "{}";      // as above
+  uint64_t drawing = 0;  // the app's number for what was opened or begun; not saved, so that
+                         // undoing "Open" brings back which file the drawing belongs to
 
   /// Index of the part with this id, or nothing.
   std::optional<size_t> find(const std::string& id) const;

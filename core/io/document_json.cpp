@@ -10,6 +10,7 @@
 #include "io/object_reader.h"
 #include "io/part_json.h"
 #include "io/pose_json.h"
+#include "io/weight_stroke_json.h"
 
 namespace marrow {
 namespace {
@@ -130,6 +131,19 @@ void readPoses(ObjectReader& reader, Document& document, Fault& fault) {
   }
 }
 
+void readWeightStrokes(ObjectReader& reader, Document& document, Fault& fault) {
+  auto& strokes = document.weight_strokes;
+  for (const Json* tree : readList(reader, "weightStrokes", fault)) {
+    const std::string where = place("weightStrokes", strokes.size());
+    if (strokes.size() == Document::kMostWeightStrokes) {
+      fault.say("weightStrokes are more than a drawing holds.");
+    }
+    WeightStroke stroke = readWeightStroke(*tree, where, fault);
+    if (fault.error()) return;
+    strokes.push_back(std::make_shared<const WeightStroke>(std::move(stroke)));
+  }
+}
+
 /// Ids, names and colours of parts that came without.
 void nameParts(std::vector<ReadPart>& read, const std::set<std::string>& ids, Document& document) {
   for (const ReadPart& one : read) {
@@ -196,6 +210,11 @@ std::string writeDocument(const Document& document) {
     Json& poses = tree["poses"] = Json::array();
     for (const auto& one : document.poses) poses.push_back(poseToTree(*one));
   }
+  if (document.blend > 0) tree["blend"] = toJson(document.blend);
+  if (!document.weight_strokes.empty()) {
+    Json& strokes = tree["weightStrokes"] = Json::array();
+    for (const auto& one : document.weight_strokes) strokes.push_back(weightStrokeToTree(*one));
+  }
   if (document.last_part > largestPartNumber(document)) tree["lastPart"] = document.last_part;
   appendFields(tree, extra);
   return toText(tree);
@@ -222,6 +241,8 @@ Result<Document> readDocument(const std::string& text) {
   document.symmetry = reader.plane("symmetry");
   readReferences(reader, document, fault);
   readPoses(reader, document, fault);
+  document.blend = reader.number("blend", 0, Document::kLargestBlend).value_or(0);
+  readWeightStrokes(reader, document, fault);
   document.extra = toText(reader.rest());
   if (fault.error()) return *fault.error();
   return document;

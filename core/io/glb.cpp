@@ -49,7 +49,7 @@ class Writer {
     model_.defaultScene = 0;
   }
 
-  Result<std::string> write() {
+  Result<std::string> write(bool binary) {
     addJoints();
     addPaints();
     for (const SkinnedMesh& mesh : character_.meshes) addMesh(mesh);
@@ -58,7 +58,7 @@ class Writer {
     if (!finite_) return Status::meshFailed;
     if (bytes().empty()) model_.buffers.clear();
     std::ostringstream out;
-    if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, out, false, true)) {
+    if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, out, false, binary)) {
       return Status::meshFailed;
     }
     return out.str();
@@ -346,7 +346,11 @@ GlbCharacter glbOf(const Character& made, const Rig& rig, const Document& docume
 }
 
 Result<std::string> toGlb(const GlbCharacter& character, const GlbOptions& options) {
-  return Writer(character, options).write();
+  return Writer(character, options).write(/*binary=*/true);
+}
+
+Result<std::string> toGltf(const GlbCharacter& character, const GlbOptions& options) {
+  return Writer(character, options).write(/*binary=*/false);
 }
 
 }  // namespace marrow

@@ -1,4 +1,4 @@
-// A character as a GLB file: glTF 2.0, binary, for Blender, three.js and game engines.
+// A character as a GLB or glTF file: glTF 2.0, for Blender, three.js and game engines.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,9 @@ GlbCharacter glbOf(const Character& made, const Rig& rig, const Document& docume
                    const std::string& name);
 
 struct GlbOptions {
-  double metres_per_unit = 0.01;
+  static constexpr double kLeastScale = 1e-9, kLargestScale = 1e9;
+
+  double metres_per_unit = 0.01;  // kLeastScale … kLargestScale
 };
 
 /// The bytes of the file. Every joint of the rig is a node of its name under one node "Skeleton",
@@ -36,5 +38,8 @@ struct GlbOptions {
 /// lies in the buffer view that asset.extras.marrow.document names. Errors: meshFailed where a
 /// number is not finite or too large for single precision.
 Result<std::string> toGlb(const GlbCharacter& character, const GlbOptions& options = {});
+
+/// The same as one text: JSON, with the bytes in base64.
+Result<std::string> toGltf(const GlbCharacter& character, const GlbOptions& options = {});
 
 }  // namespace marrow

@@ -147,6 +147,7 @@ void addCharacter(Json& tree, const Character& made) {
     weights["min"] = toJson(made.weights->min);
     weights["max"] = toJson(made.weights->max);
   }
+  if (!made.no_weights.empty()) tree["noWeights"] = made.no_weights;
   Json& timings = tree["timings"];
   const double before = timings["total"].get<double>();
   timings.erase("total");

@@ -28,7 +28,8 @@ std::string rigToJson(const Evaluation& character);
 
 /// Adds "merged": {"vertices", "triangles", "closed", "manifold", "selfIntersections", "volume"},
 /// "leftOut": [{"part", "why"}…], where there are any, "weights": {"bones", "maxSumError", "min",
-/// "max"}, where they were asked for, and the stages' times.
+/// "max"}, where they were asked for, or "noWeights", a sentence that says why there are none, and
+/// the stages' times.
 void addCharacter(Json& tree, const Character& made);
 
 /// Placed parts at which a tree of its own begins, though the most parts are in another one.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "document/command.h"
 #include "io/mesh_export.h"
 #include "support/catch.h"
 #include "support/creatures.h"
@@ -123,6 +124,124 @@ TEST_CASE("character: hidden parts are not there, and nothing at all is no fault
   REQUIRE(boneless.meshes.size() == 1);
   CHECK(boneless.meshes[0].skin.empty());
   CHECK(boneless.weights->bones == 0);
+}
+
+TEST_CASE("character: doubled vertices follow the same joints", "[character]") {
+  const Evaluation evaluation = evaluated(creature());
+  const Character made = makeCharacter(evaluation, quick());
+  const SkinnedMesh& body = made.meshes[0];
+  REQUIRE(body.merged_vertex.size() == body.mesh.positions.size());
+  std::vector<const VertexSkin*> first(made.merged.mesh.positions.size(), nullptr);
+  for (size_t i = 0; i < body.skin.size(); ++i) {
+    const uint32_t v = body.merged_vertex[i];
+    REQUIRE(body.mesh.positions[i] == made.merged.mesh.positions[v]);
+    if (!first[v]) first[v] = &body.skin[i];
+    if (first[v]->joints != body.skin[i].joints || first[v]->weights != body.skin[i].weights) {
+      FAIL("a seam comes apart");
+    }
+  }
+}
+
+TEST_CASE("character: strokes of the document change weights where they were painted",
+          "[character]") {
+  Document document = creature();
+  const Evaluation evaluation = evaluated(document);
+  const Rig& rig = evaluation.rig();
+  uint32_t end = 0;  // the last joint of the first leg that moves something
+  for (const auto& bone : rig.bones) {
+    if (rig.joints[bone[0]].part == 1) end = bone[0];
+  }
+  WeightStroke stroke;
+  stroke.part = evaluation.placed()[1].id;
+  stroke.joint = rig.joints[end].id;
+  stroke.radius = 30;
+  stroke.points = {{-90, -70, 58}, {-90, -110, 58}};
+  const auto painted = apply(document, AddWeightStroke{stroke});
+  REQUIRE(painted);
+  const auto options = [](const Document& of, bool merged) {
+    CharacterOptions made = characterOptions(of);
+    made.weighting = quickWeightOptions();
+    made.merged = merged;
+    return made;
+  };
+  for (const bool merged : {true, false}) {
+    const Character before = makeCharacter(evaluation, options(document, merged));
+    Character after = makeCharacter(evaluation, options(*painted, merged));
+    double near_part = 0, near_twin = 0;
+    size_t changed = 0, all = 0;
+    for (size_t m = 0; m < after.meshes.size(); ++m) {
+      checkSkin(after.meshes[m], rig);
+      const SkinnedMesh& mesh = after.meshes[m];
+      for (size_t i = 0; i < mesh.skin.size(); ++i) {
+        const VertexSkin& is = mesh.skin[i];
+        const VertexSkin& was = before.meshes[m].skin[i];
+        ++all;
+        if (is.joints == was.joints && is.weights == was.weights) continue;
+        ++changed;
+        const Vec3 p = mesh.mesh.positions[i];
+        if (!(distance(p, {-90, -90, p.z > 0 ? 55. : -55.}) < 70)) FAIL("changed far away");
+        double& most = p.z > 0 ? near_part : near_twin;
+        const uint32_t joint = is.joints[0];
+        const bool own = rig.joints[joint].id == stroke.joint ||
+                         rig.joints[joint].id == oppositeJoint(document, stroke.joint);
+        if (own) most = std::max(most, is.weights[0]);
+      }
+    }
+    CHECK(changed > 20);
+    CHECK(changed < all / 4);
+    CHECK(near_part > 0.9);
+    CHECK(near_twin > 0.9);
+    if (!merged) continue;
+    // Painting over the same weights gives the same bits, and so does painting nothing.
+    const std::vector<VertexSkin> skin = after.meshes[0].skin;
+    repaint(after, rig, {});
+    for (size_t i = 0; i < skin.size(); ++i) {
+      const VertexSkin& was = before.meshes[0].skin[i];
+      if (after.meshes[0].skin[i].weights != was.weights) FAIL("not as before");
+    }
+    repaint(after, rig, placedStrokes(*painted));
+    for (size_t i = 0; i < skin.size(); ++i) {
+      if (after.meshes[0].skin[i].weights != skin[i].weights) FAIL("not as made");
+    }
+    CHECK(after.weights->max_sum_error < 1e-12);
+  }
+}
+
+TEST_CASE("character: soft seams are the document's, of the merged body alone", "[character]") {
+  const Document document = *apply(creature(), SetBlend{25});
+  const Evaluation evaluation = evaluated(document);
+  CharacterOptions options = characterOptions(document);
+  options.weights = false;
+  const Character soft = makeCharacter(evaluation, options);
+  options.blend = 0;
+  const Character hard = makeCharacter(evaluation, options);
+  const MeshReport report = inspect(soft.merged.mesh);
+  CHECK((report.closed && report.manifold));
+  CHECK(report.volume > inspect(hard.merged.mesh).volume);
+  CHECK(soft.meshes[0].mesh.triangles.size() == hard.meshes[0].mesh.triangles.size());
+  options.merged = false;
+  options.blend = 25;
+  const Character parts = makeCharacter(evaluation, options);
+  CHECK(inspect(parts.merged.mesh).volume == inspect(hard.merged.mesh).volume);
+}
+
+TEST_CASE("character: where there are no weights it says so", "[character]") {
+  // So far away that nothing is left of the body's shape.
+  Document document;
+  auto far = std::make_shared<PartSource>(*creature().parts[0]);
+  far->frame.origin = {1e40, 0, 0};
+  document.parts.push_back(far);
+  const Evaluation evaluation = evaluated(document);
+  REQUIRE_FALSE(evaluation.rig().bones.empty());
+  CharacterOptions options = quick();
+  options.merged = false;
+  const Character made = makeCharacter(evaluation, options);
+  REQUIRE(made.meshes.size() == 1);
+  CHECK(made.meshes[0].skin.empty());
+  CHECK_FALSE(made.weights);
+  CHECK(made.no_weights == "There is no body to spread weights through.");
+  options.merged = true;  // no mesh: nothing to say
+  CHECK(makeCharacter(evaluation, options).no_weights.empty());
 }
 
 TEST_CASE("character: random creatures become models, none is lost", "[character]") {

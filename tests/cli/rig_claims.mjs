@@ -321,6 +321,36 @@ export function rigClaims({claim, run, write, inFolder, checkRefused}) {
     });
   }
 
+  claim('meshes that can follow no bone are told of, and no pose is made of them', () => {
+    const far = {format: 'marrow', version: 1, parts: [part('part-1', 'Far', limb(20, 90),
+        {frame: at([1e40, 0, 0])})], poses: [{name: 'Wave'}]};
+    const done = run('rig', write('far.json', far), '--parts', '--json', 'far.out');
+    assert.equal(done.status, 0);
+    assert.match(done.stderr, /^marrow: far.json: the meshes follow no bone: [^\n]+\.\n$/);
+    const rig = JSON.parse(read('far.out'));
+    assert.ok(rig.noWeights.length > 10 && !('weights' in rig));
+    assert.equal(run('rig', 'far.json', '--parts', '--no-weights', '--json', 'far.out').stderr, '');
+  });
+
+  claim('seams are as soft as the document has them, unless --blend says otherwise', () => {
+    const volume = (document, ...words) => {
+      const done = run('rig', write('creature.json', document), '--merge', '--no-weights', '--json',
+          'rig.json', ...words);
+      assert.equal(done.status, 0, done.stderr);
+      return JSON.parse(read('rig.json')).merged.volume;
+    };
+    const hard = volume(creature()), soft = volume({...creature(), blend: 20});
+    assert.ok(soft > hard * 1.0001);
+    assert.equal(volume(creature(), '--blend', '20'), soft);
+    assert.equal(volume({...creature(), blend: 20}, '--blend=0'), hard);
+    const posed = (...words) => {
+      assert.equal(run('pose', write('creature.json', creature()), '--obj', 'p.obj', ...words)
+          .status, 0);
+      return read('p.obj');
+    };
+    assert.notEqual(posed('--blend', '20'), posed());
+  });
+
   claim('refuses words that a rig does not know', () => {
     write('creature.json', creature());
     for (const words of [['rig'], ['rig', 'creature.json', 'creature.json'],
@@ -332,6 +362,10 @@ export function rigClaims({claim, run, write, inFolder, checkRefused}) {
       for (const value of ['abc', '', 'nan', 'inf', '-1', '2001', '0x10', '1,5']) {
         checkRefused(['rig', 'creature.json', option, value], option);
       }
+    }
+    for (const words of [['--blend', '-1'], ['--blend', '1001'], ['--blend'], ['--scale', '0'],
+      ['--scale', '1e10'], ['--gltf'], ['--gltf', 'same', '--glb', 'same']]) {
+      checkRefused(['rig', 'creature.json', ...words], '');
     }
     assert.equal(run('rig', 'creature.json', '--json', 'creature.json').status, 2);
     assert.deepEqual(JSON.parse(read('creature.json')), creature());

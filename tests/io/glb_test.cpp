@@ -270,6 +270,27 @@ TEST_CASE("glb: the document lies in it byte for byte", "[glb]") {
   CHECK(std::string(begin, begin + view.byteLength) == character.document);
 }
 
+TEST_CASE("glb: as a text it is the same model, its bytes in base64", "[glb]") {
+  Random random(9);
+  const Model made = model(random, 12);
+  GlbCharacter character = characterOf(made);
+  character.document = "{}";
+  const GlbOptions options{0.25};
+  const auto text = toGltf(character, options);
+  REQUIRE(text);
+  REQUIRE((*text)[0] == '{');
+  tinygltf::Model gltf;
+  std::string error, warning;
+  REQUIRE(tinygltf::TinyGLTF().LoadASCIIFromString(&gltf, &error, &warning, text->data(),
+                                                   static_cast<unsigned int>(text->size()), ""));
+  CHECK(error + warning == "");
+  const tinygltf::Model glb = written(character, options);
+  CHECK(gltf.buffers[0].data == glb.buffers[0].data);
+  CHECK(gltf.nodes == glb.nodes);
+  CHECK(gltf.accessors == glb.accessors);
+  CHECK(gltf.asset == glb.asset);
+}
+
 TEST_CASE("glb: without skin, without joints, without anything there is still a file", "[glb]") {
   Random random(7);
   Model made = model(random, 4);

@@ -147,6 +147,31 @@ for (const file of files) {
               `off by ${worst.toExponential(1)} at most`);
 }
 
+// As a text it is the same file; soft seams and another scale are as valid.
+{
+  const snail = JSON.parse(fs.readFileSync(path.join(samples, 'snail.json'), 'utf8'));
+  snail.blend = 15;
+  const text = path.join(folder, 'snail.gltf');
+  const soft = rig('native', snail, 'soft', '--gltf', text, '--scale', '0.5');
+  await validate('soft', soft.glb);
+  await validate('snail.gltf', fs.readFileSync(text));
+  checkReport('soft', soft.tree);
+  const overruled = rig('native', snail, 'hard', '--blend', '0', '--scale=0.5');
+  assert.ok(soft.tree.merged.volume > overruled.tree.merged.volume);
+  const bytes = JSON.parse(fs.readFileSync(text, 'utf8')).buffers[0].uri.split(',')[1];
+  const binary = soft.glb.subarray(soft.glb.indexOf('BIN\0') + 4);
+  const own = Buffer.from(bytes, 'base64');
+  assert.ok(own.length > 1000 && binary.subarray(0, own.length).equals(own));
+  const height = async (glb) => {
+    const {gltf} = await load(glb);
+    return new THREE.Box3().setFromObject(gltf.scene).getSize(new THREE.Vector3()).y;
+  };
+  const plain = rig('native', {...snail, blend: 0}, 'plain');
+  const times = await height(overruled.glb) / await height(plain.glb);
+  assert.ok(Math.abs(times - 50) < 1e-3, `50 times as high: ${times}`);
+  console.log('ok      text, soft seams, scale');
+}
+
 // Each part by itself, and the same solid from WebAssembly.
 const dog = JSON.parse(fs.readFileSync(path.join(samples, 'dog.json'), 'utf8'));
 const parts = rig('native', dog, 'parts', '--parts');

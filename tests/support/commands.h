@@ -53,7 +53,7 @@ class AnyCommand {
   AnyCommand(Numbers& numbers, const Document& document) : numbers_(numbers), document_(document) {}
 
   Command operator()() {
-    switch (numbers_.below(23)) {
+    switch (numbers_.below(26)) {
       case 0:
         return AddPart{stroke(), frame(), chance(3) ? std::optional<Plane>(plane()) : std::nullopt};
       case 1:
@@ -98,6 +98,12 @@ class AnyCommand {
         return RenamePose{poseName(), poseName()};
       case 21:
         return DeletePose{poseName()};
+      case 22:
+        return AddWeightStroke{weightStroke()};
+      case 23:
+        return ClearWeightStrokes{chance(3) ? std::string() : jointId()};
+      case 24:
+        return SetBlend{numbers_.number()};
       default:
         return chance(20) ? Command(ReplaceDocument{{}, "New drawing"})
                           : Command(TransformParts{ids(), numbers_.map(), "Turn"});
@@ -152,13 +158,27 @@ class AnyCommand {
     const char* names[] = {"Wave", "Walk", "", "Sit\n", "\xff"};
     return names[numbers_.below(5)];
   }
+  std::string jointId() {
+    if (chance(4)) return id() + "/a:" + id();
+    return id() + "/n" + std::to_string(numbers_.below(3));
+  }
+  WeightStroke weightStroke() {
+    WeightStroke stroke;
+    stroke.kind = static_cast<WeightStroke::Kind>(numbers_.below(3));
+    stroke.part = id();
+    stroke.joint = chance(8) ? name() : jointId();
+    stroke.radius = numbers_.number();
+    stroke.strength = chance(2) ? numbers_.number() : 0.5;
+    for (int count = numbers_.below(6); count > 0; --count) stroke.points.push_back(vector());
+    return stroke;
+  }
   Pose pose() {
     Pose pose;
     for (int count = numbers_.below(4); count > 0; --count) {
       JointMotion motion{{numbers_.number(), numbers_.number(), numbers_.number(), 1}, {}};
       if (chance(8)) motion.rotation = {0, 0, 0, 0};
       if (chance(2)) motion.move = vector();
-      pose[id() + "/n" + std::to_string(numbers_.below(3))] = motion;
+      pose[jointId()] = motion;
     }
     return pose;
   }

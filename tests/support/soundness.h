@@ -73,6 +73,19 @@ inline std::string ruleBrokenBy(const Document& document) {
       if (!unit || !(*unit == joint.second)) return "a pose's motion";
     }
   }
+  if (!(document.blend >= 0 && document.blend <= Document::kLargestBlend)) return "blend";
+  if (document.weight_strokes.size() > Document::kMostWeightStrokes) return "too many strokes";
+  for (const auto& stroke : document.weight_strokes) {
+    if (!stroke || stroke->points.size() > WeightStroke::kMostPoints) return "a weight stroke";
+    if (!(stroke->radius >= WeightStroke::kMinRadius &&
+          stroke->radius <= WeightStroke::kMaxRadius)) {
+      return "a brush's radius";
+    }
+    if (!(stroke->strength >= 0 && stroke->strength <= 1)) return "a brush's strength";
+    for (const Vec3 p : stroke->points) {
+      if (!isDrawable(p)) return "a weight stroke's point";
+    }
+  }
   size_t twins = 0;
   for (const auto& part : document.parts) twins += part->mirror ? 1 : 0;
   if (placedParts(document).size() != document.parts.size() + twins) return "placed parts";
