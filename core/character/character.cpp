@@ -153,6 +153,11 @@ SkinnedMesh withNormals(const MergedMesh& merged) {
   return split;
 }
 
+const Part* shownPart(const Evaluation& evaluation, const PlacedPart& placed) {
+  const EvaluatedPart& evaluated = evaluation.parts()[placed.source];
+  return evaluated.part && evaluated.source->visible ? evaluated.part.get() : nullptr;
+}
+
 using WeightReport = Character::WeightReport;
 
 class Maker {
@@ -187,20 +192,16 @@ class Maker {
 
  private:
   const Part* shownPart(const PlacedPart& placed) const {
-    const EvaluatedPart& evaluated = evaluation_.parts()[placed.source];
-    return evaluated.part && evaluated.source->visible ? evaluated.part.get() : nullptr;
+    return marrow::shownPart(evaluation_, placed);
   }
 
   void addPaints() {
+    made_.paints = paintsOf(evaluation_);
     const auto& placed = evaluation_.placed();
     paint_of_.assign(placed.size(), 0);
+    uint32_t count = 0;
     for (size_t i = 0; i < placed.size(); ++i) {
-      if (!shownPart(placed[i])) continue;
-      const PartSource& source = *evaluation_.parts()[placed[i].source].source;
-      paint_of_[i] = static_cast<uint32_t>(made_.paints.size());
-      std::string name = source.name;
-      if (placed[i].side) name += std::string(".") + placed[i].side;
-      made_.paints.push_back({std::move(name), source.color, placed[i].id});
+      if (shownPart(placed[i])) paint_of_[i] = count++;
     }
   }
 
@@ -308,6 +309,18 @@ CharacterOptions characterOptions(const Document& document) {
   return options;
 }
 
+std::vector<Paint> paintsOf(const Evaluation& evaluation) {
+  std::vector<Paint> paints;
+  for (const PlacedPart& placed : evaluation.placed()) {
+    if (!shownPart(evaluation, placed)) continue;
+    const PartSource& source = *evaluation.parts()[placed.source].source;
+    std::string name = source.name;
+    if (placed.side) name += std::string(".") + placed.side;
+    paints.push_back({std::move(name), source.color, placed.id});
+  }
+  return paints;
+}
+
 Character makeCharacter(const Evaluation& evaluation, const CharacterOptions& options, Clock clock,
                         const CharacterWatch& watch) {
   return Maker(evaluation, options, clock, watch).make();
@@ -322,6 +335,16 @@ void repaint(Character& character, const Rig& rig, const std::vector<PlacedWeigh
   WeightReport& of = *character.weights;
   of = {of.bones, 0, 1, 0};
   for (const SkinnedMesh& mesh : character.meshes) report(mesh.skin, of);
+}
+
+SkinnedMesh posedMesh(const SkinnedMesh& mesh, const Rig& rig, const Pose& pose, Skinning how) {
+  SkinnedMesh result = mesh;
+  if (mesh.skin.empty()) return result;
+  SkinnedVertices moved;
+  skin(mesh.mesh.positions, mesh.normals, mesh.skin, posed(rig, pose), how, moved);
+  result.mesh.positions = std::move(moved.positions);
+  result.normals = std::move(moved.normals);
+  return result;
 }
 
 }  // namespace marrow

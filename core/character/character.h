@@ -10,6 +10,7 @@
 
 #include "base/timing.h"
 #include "document/evaluation.h"
+#include "pose/pose.h"
 #include "pose/skin.h"
 #include "solid/merge.h"
 #include "weights/skin_weights.h"
@@ -79,6 +80,9 @@ struct Character {
   Timings timings;  // stages: merge, weights, vertices
 };
 
+/// Of all visible parts, in their order.
+std::vector<Paint> paintsOf(const Evaluation& evaluation);
+
 /// Of all visible parts. A joint moves what the bones that leave it hold [RS §4.1]: weights are
 /// those of bounded biharmonic functions on the body's volume, the largest four of each vertex.
 Character makeCharacter(const Evaluation& evaluation, const CharacterOptions& options = {},
@@ -87,5 +91,8 @@ Character makeCharacter(const Evaluation& evaluation, const CharacterOptions& op
 /// A merged character with other strokes over the same weights: what makeCharacter would make of
 /// it, without computing them again. O(vertices · strokes), and little where strokes are short.
 void repaint(Character& character, const Rig& rig, const std::vector<PlacedWeightStroke>& strokes);
+
+/// The mesh as a pose leaves it. One without a skin stays as it is.
+SkinnedMesh posedMesh(const SkinnedMesh& mesh, const Rig& rig, const Pose& pose, Skinning how);
 
 }  // namespace marrow

@@ -40,18 +40,14 @@ int runPose(const std::vector<std::string>& words) {
   CharacterOptions options = characterOptions(*document);
   options.weights = pose != nullptr;
   options.blend = arguments->findNumber("--blend").value_or(options.blend);
-  Character made = makeCharacter(evaluation, options, milliseconds);
+  const Character made = makeCharacter(evaluation, options, milliseconds);
   if (!made.no_weights.empty()) {
     return refuse(path + ": the body follows no bone: " + made.no_weights);
   }
-  SkinnedMesh body = made.meshes.empty() ? SkinnedMesh{} : std::move(made.meshes[0]);
-  if (pose && !body.skin.empty()) {
+  SkinnedMesh body;
+  if (!made.meshes.empty()) {
     const Skinning how = arguments->has("--dual") ? Skinning::dualQuaternions : Skinning::linear;
-    SkinnedVertices moved;
-    skin(body.mesh.positions, body.normals, body.skin, posed(evaluation.rig(), pose->joints), how,
-         moved);
-    body.mesh.positions = std::move(moved.positions);
-    body.normals = std::move(moved.normals);
+    body = posedMesh(made.meshes[0], evaluation.rig(), pose ? pose->joints : Pose{}, how);
   }
 
   std::vector<OutputFile> files;

@@ -1,8 +1,9 @@
 // What pose mode shows: the figure, the bytes it travels in, and when another one is asked for.
 #include "figure/figure.h"
 
+#include "document/command.h"
 #include "figure/figure_keeper.h"
-#include "figure/work.h"
+#include "figure/workshop.h"
 #include "io/document_json.h"
 #include "pose/rigs.h"
 #include "support/catch.h"
@@ -32,7 +33,7 @@ Made make(const std::string& request) {
     made.progress.push_back(done);
     return true;
   };
-  made.result = work(request, teller, noTime);
+  made.result = Workshop().work(request, teller, noTime);
   return made;
 }
 
@@ -84,8 +85,72 @@ TEST_CASE("figure: work that is told to stop comes to nothing but a guess") {
   WorkTeller teller;
   teller.made = [&](const std::string&) { ++made; };
   teller.progress = [](double) { return false; };
-  CHECK_FALSE(work(figureRequest(sample("dog")), teller, noTime));
+  CHECK_FALSE(Workshop().work(figureRequest(sample("dog")), teller, noTime));
   CHECK(made == 1);
+}
+
+TEST_CASE("workshop: other strokes need no new weights, and give what all anew would give") {
+  Workshop workshop;
+  std::string last;
+  size_t steps = 0;
+  WorkTeller teller;
+  teller.made = [&](const std::string& bytes) { last = bytes; };
+  teller.progress = [&](double) {
+    ++steps;
+    return true;
+  };
+  Document dog = sample("dog");
+  REQUIRE(workshop.work(figureRequest(dog), teller, noTime));
+  const std::string plain = last;
+  CHECK(steps > 3);
+  Evaluation evaluation;
+  evaluation.update(dog);
+  const Rig::Joint& joint = evaluation.rig().joints[5];
+  WeightStroke stroke;
+  stroke.part = evaluation.placed()[joint.part].id;
+  stroke.joint = joint.id;
+  stroke.radius = 40;
+  stroke.points = {joint.position};
+  auto painted = apply(dog, AddWeightStroke{stroke});
+  REQUIRE(painted);
+  steps = 0;
+  REQUIRE(workshop.work(figureRequest(*painted), teller, noTime));
+  CHECK(steps == 0);
+  CHECK(last != plain);
+  const std::string repainted = last;
+  REQUIRE(Workshop().work(figureRequest(*painted), teller, noTime));
+  CHECK(last == repainted);
+  steps = 0;
+  REQUIRE(workshop.work(figureRequest(dog), teller, noTime));
+  CHECK(steps == 0);
+  CHECK(last == plain);
+
+  FileOptions file;
+  file.name = "dog";
+  REQUIRE(workshop.work(fileRequest(dog, file), teller, noTime));
+  CHECK(steps == 0);
+  CHECK(last.substr(0, 4) == "glTF");
+}
+
+TEST_CASE("workshop: every kind of file is made, and an empty drawing is refused") {
+  Workshop workshop;
+  std::string last;
+  WorkTeller teller;
+  teller.made = [&](const std::string& bytes) { last = bytes; };
+  teller.progress = [](double) { return true; };
+  using Format = FileOptions::Format;
+  const Document& fish = sample("fish");
+  for (const Format format : {Format::glb, Format::gltf, Format::obj, Format::stl, Format::ply}) {
+    for (const bool parts : {false, true}) {
+      FileOptions file;
+      file.format = format;
+      file.parts = parts;
+      last.clear();
+      REQUIRE(workshop.work(fileRequest(fish, file), teller, noTime));
+      CHECK(last.size() > 10'000);
+      CHECK_FALSE(workshop.work(fileRequest({}, file), teller, noTime));
+    }
+  }
 }
 
 TEST_CASE("figure: what is no drawing, or shows nothing, is refused in a sentence") {
@@ -103,7 +168,7 @@ TEST_CASE("figure: bytes that are cut off or too many are no figure") {
     WorkTeller teller;
     teller.made = [&](const std::string& bytes) { last = bytes; };
     teller.progress = [](double) { return true; };
-    REQUIRE(work(figureRequest(sample("fish")), teller, noTime));
+    REQUIRE(Workshop().work(figureRequest(sample("fish")), teller, noTime));
     return last;
   }();
   REQUIRE(figureFromBytes(whole));

@@ -42,8 +42,8 @@ class FigureKeeper {
   const std::shared_ptr<const Figure>& figure() const { return shown_; }
   /// Changes with the figure; never reused, nor that of any other mesh.
   uint64_t meshId() const { return mesh_id_; }
-  /// It is of the drawing as it is now, with its final weights.
-  bool ready() const { return shown_ && of_rig_ == wanted_rig_ && !shown_->guessed; }
+  /// It is of the drawing as it is now, with its final weights, and all that is painted over them.
+  bool ready() const { return shown_ && of_ == wanted_ && !shown_->guessed; }
   /// 0 … 1 while one is made, else −1.
   double done() const { return number_ == 0 ? -1 : done_; }
   /// Why there is none; empty: there is no reason why not.
@@ -51,14 +51,21 @@ class FigureKeeper {
   size_t ordered() const { return ordered_; }
 
  private:
+  /// See workshop.h; 0: nothing.
+  struct Keys {
+    uint64_t mesh = 0, body = 0, strokes = 0;
+    bool operator==(const Keys& other) const {
+      return mesh == other.mesh && body == other.body && strokes == other.strokes;
+    }
+  };
+
   std::shared_ptr<const Figure> made_, shown_;
-  uint64_t of_mesh_ = 0, of_rig_ = 0;          // what made_ was made of
-  uint64_t wanted_mesh_ = 0, wanted_rig_ = 0;  // what there is now; 0: nothing
-  uint64_t begun_ = 0;  // wanted_rig_ of the work under way, or of what failed
+  Keys of_;      // what made_ was made of
+  Keys wanted_;  // what there is now
+  Keys begun_;   // of the work under way
   double changed_ms_ = 0;
   double due_ms_ = std::numeric_limits<double>::infinity();
   uint64_t number_ = 0;  // of the work under way; 0: none
-  uint64_t begun_mesh_ = 0;
   size_t ordered_ = 0;
   double done_ = 0;
   uint64_t mesh_id_ = uint64_t{1} << 63;  // the evaluation counts up from 1

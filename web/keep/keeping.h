@@ -26,7 +26,7 @@ struct Job {
     restore,  // open the kept drawing `slot`
     dismiss,  // the kept drawing `slot` need not be offered again
     picture,  // a picture that the user chooses
-    work,     // `text` is done elsewhere (figure/work.h) in place of what is under way; empty: stop
+    work,     // `text` is done elsewhere (figure/workshop.h) in place of what is under way; empty: stop
     decode,   // the pixels of the picture `drawing`: `text` is a data URL
   };
   Kind kind = Kind::open;

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "figure/work.h"
+#include "figure/workshop.h"
 #include "io/document_json.h"
 #include "io/json.h"
 #include "io/rig_export.h"
@@ -153,7 +153,8 @@ EMSCRIPTEN_KEEPALIVE void marrow_work(const char* request) {
     marrow_tell_progress(done);
     return true;  // who wants no more of it ends the worker
   };
-  const auto result = marrow::work(request, teller, marrow::now_ms);
+  static marrow::Workshop workshop;
+  const auto result = workshop.work(request, teller, marrow::now_ms);
   marrow_tell_ended(result ? "" : result.message().c_str());
 }
 

@@ -1,9 +1,6 @@
 #include "platform/worker_thread.h"
 
 #include <utility>
-
-#include "figure/work.h"
-
 namespace marrow {
 
 WorkerThread::WorkerThread(Clock clock, std::function<void()> wake)
@@ -35,7 +32,12 @@ void WorkerThread::begin(uint64_t number, const std::string& request) {
       add(run, [number, done](App& app) { app.workProgress(number, done); });
       return !run.stopped;
     };
-    const auto result = work(request, teller, clock_);
+    const std::lock_guard<std::mutex> lock(at_work_);
+    if (run.stopped) {
+      run.done = true;
+      return;
+    }
+    const auto result = workshop_.work(request, teller, clock_);
     const std::string why = result ? std::string() : result.message();
     add(run, [number, why](App& app) { app.workEnded(number, why); });
     run.done = true;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app.h"
+#include "figure/workshop.h"
 
 namespace marrow {
 
@@ -36,6 +37,8 @@ class WorkerThread {
 
   Clock clock_;
   std::function<void()> wake_;
+  Workshop workshop_;
+  std::mutex at_work_;   // of the workshop
   std::list<Run> runs_;  // the newest last
   std::mutex mutex_;     // of the news
   std::vector<News> news_;
