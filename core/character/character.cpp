@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "character/joint_skin.h"
 #include "document/symmetry.h"
 #include "solid/blend.h"
 
@@ -13,56 +14,6 @@ namespace {
 
 constexpr uint32_t kNone = UINT32_MAX;
 constexpr double kSameNormal = 1e-6;  // 1 − cosine; closer ones share a vertex
-
-/// The weights of bones as those of the joints that they leave.
-JointWeights jointWeights(const Influences& influences, const Rig& rig) {
-  JointWeights weights;
-  for (const Influence& one : influences) {
-    if (!(one.weight > 0)) continue;
-    const uint32_t joint = rig.bones[one.bone][0];
-    const auto same = std::find_if(weights.begin(), weights.end(),
-                                   [&](const JointWeight& other) { return other.joint == joint; });
-    if (same == weights.end()) {
-      weights.push_back({joint, one.weight});
-    } else {
-      same->weight += one.weight;
-    }
-  }
-  std::sort(weights.begin(), weights.end(),
-            [](const JointWeight& a, const JointWeight& b) { return a.joint < b.joint; });
-  return weights;
-}
-
-/// The largest few.
-VertexSkin skinOf(JointWeights joints) {
-  std::sort(joints.begin(), joints.end(), [](const JointWeight& a, const JointWeight& b) {
-    return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
-  });
-  joints.resize(std::min(joints.size(), VertexSkin::kMost));
-  double sum = 0;
-  for (const JointWeight& one : joints) sum += one.weight;
-  VertexSkin skin;
-  if (!(sum > 0)) return skin;
-  double others = 0;
-  for (size_t k = joints.size(); k-- > 0;) {
-    skin.joints[k] = joints[k].joint;
-    skin.weights[k] = k > 0 ? joints[k].weight / sum : 1 - others;
-    others += skin.weights[k];
-  }
-  // Equal but for the rounding of the rest: the order stays.
-  if (skin.weights[0] < skin.weights[1]) {
-    std::swap(skin.weights[0], skin.weights[1]);
-    std::swap(skin.joints[0], skin.joints[1]);
-  }
-  return skin;
-}
-
-std::vector<JointWeights> jointWeights(const std::vector<Influences>& influences, const Rig& rig) {
-  std::vector<JointWeights> weights;
-  weights.reserve(influences.size());
-  for (const Influences& one : influences) weights.push_back(jointWeights(one, rig));
-  return weights;
-}
 
 /// The strokes over the weights of the merged surface; and which vertices they reached.
 std::vector<char> paintOver(const Mesh& merged, const Rig& rig,
@@ -324,17 +275,6 @@ std::vector<Paint> paintsOf(const Evaluation& evaluation) {
 Character makeCharacter(const Evaluation& evaluation, const CharacterOptions& options, Clock clock,
                         const CharacterWatch& watch) {
   return Maker(evaluation, options, clock, watch).make();
-}
-
-void repaint(Character& character, const Rig& rig, const std::vector<PlacedWeightStroke>& strokes) {
-  if (character.unpainted.empty() || character.meshes.empty()) return;
-  std::vector<JointWeights> weights = character.unpainted;
-  paintOver(character.merged.mesh, rig, strokes, weights);
-  skinBody(weights, character);
-  if (!character.weights) return;
-  WeightReport& of = *character.weights;
-  of = {of.bones, 0, 1, 0};
-  for (const SkinnedMesh& mesh : character.meshes) report(mesh.skin, of);
 }
 
 SkinnedMesh posedMesh(const SkinnedMesh& mesh, const Rig& rig, const Pose& pose, Skinning how) {

@@ -75,7 +75,8 @@ struct Character {
   std::optional<WeightReport> weights;  // where they were asked for and there are some
   std::string no_weights;  // a sentence: why there are none though they were asked for, and there
                            // are meshes and bones
-  /// As computed, before strokes: one per vertex of `merged`; empty where there are no weights.
+  /// As computed, before strokes (see painting.h): one per vertex of `merged`; empty where there
+  /// are no weights.
   std::vector<JointWeights> unpainted;
   Timings timings;  // stages: merge, weights, vertices
 };
@@ -87,10 +88,6 @@ std::vector<Paint> paintsOf(const Evaluation& evaluation);
 /// those of bounded biharmonic functions on the body's volume, the largest four of each vertex.
 Character makeCharacter(const Evaluation& evaluation, const CharacterOptions& options = {},
                         Clock clock = nullptr, const CharacterWatch& watch = {});
-
-/// A merged character with other strokes over the same weights: what makeCharacter would make of
-/// it, without computing them again. O(vertices · strokes), and little where strokes are short.
-void repaint(Character& character, const Rig& rig, const std::vector<PlacedWeightStroke>& strokes);
 
 /// The mesh as a pose leaves it. One without a skin stays as it is.
 SkinnedMesh posedMesh(const SkinnedMesh& mesh, const Rig& rig, const Pose& pose, Skinning how);

@@ -134,6 +134,15 @@ void take(const std::vector<Dab>& dabs, JointWeights& weights) {
 
 }  // namespace
 
+bool operator==(const PlacedWeightStroke& a, const PlacedWeightStroke& b) {
+  return a.kind == b.kind && a.strength == b.strength &&
+         std::equal(a.trails.begin(), a.trails.end(), b.trails.begin(), b.trails.end(),
+                    [](const Trail& one, const Trail& other) {
+                      return one.joint == other.joint && one.radius == other.radius &&
+                             one.points == other.points;
+                    });
+}
+
 std::vector<PlacedWeightStroke> placedStrokes(const Document& document) {
   std::vector<PlacedWeightStroke> placed;
   for (const auto& stroke : document.weight_strokes) {

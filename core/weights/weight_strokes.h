@@ -33,6 +33,8 @@ struct PlacedWeightStroke {
   std::vector<Trail> trails;
 };
 
+bool operator==(const PlacedWeightStroke& a, const PlacedWeightStroke& b);
+
 /// Of all strokes whose part is there, in the order painted.
 std::vector<PlacedWeightStroke> placedStrokes(const Document& document);
 

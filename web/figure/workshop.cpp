@@ -128,10 +128,14 @@ bool Workshop::makeBody(const Document& document, const CharacterWatch& watch, C
   const CharacterOptions options = characterOptions(document);
   if (key != 0 && key == made_of_) {
     body_.paints = paintsOf(evaluation_);
-    repaint(body_, evaluation_.rig(), options.strokes);
+    if (body_.unpainted.empty()) return true;
+    if (!painting_) painting_ = std::make_unique<Painting>(body_, evaluation_.rig());
+    painting_->set(options.strokes);
+    body_.meshes.front().skin = painting_->with(nullptr);
     return true;
   }
   made_of_ = 0;
+  painting_.reset();
   bool stopped = false;
   CharacterWatch own = watch;
   own.progress = [&](double done) {

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "base/result.h"
 #include "base/timing.h"
-#include "character/character.h"
+#include "character/painting.h"
 #include "document/document.h"
 
 namespace marrow {
@@ -53,8 +54,9 @@ class Workshop {
   bool makeBody(const Document& document, const CharacterWatch& watch, Clock clock);
 
   Evaluation evaluation_;
-  uint64_t made_of_ = 0;  // bodyKey of what the body is made of; 0: there is none
-  Character body_;        // merged, with weights
+  uint64_t made_of_ = 0;                // bodyKey of what the body is made of; 0: there is none
+  Character body_;                      // merged, with weights
+  std::unique_ptr<Painting> painting_;  // on the body
 };
 
 /// Of all that a merged body is made of, but for its weights; 0 where nothing is shown.

@@ -1,0 +1,60 @@
+#include "character/joint_skin.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace marrow {
+namespace {
+
+/// The weights of bones as those of the joints that they leave.
+JointWeights ofVertex(const Influences& influences, const Rig& rig) {
+  JointWeights weights;
+  for (const Influence& one : influences) {
+    if (!(one.weight > 0)) continue;
+    const uint32_t joint = rig.bones[one.bone][0];
+    const auto same = std::find_if(weights.begin(), weights.end(),
+                                   [&](const JointWeight& other) { return other.joint == joint; });
+    if (same == weights.end()) {
+      weights.push_back({joint, one.weight});
+    } else {
+      same->weight += one.weight;
+    }
+  }
+  std::sort(weights.begin(), weights.end(),
+            [](const JointWeight& a, const JointWeight& b) { return a.joint < b.joint; });
+  return weights;
+}
+
+}  // namespace
+
+std::vector<JointWeights> jointWeights(const std::vector<Influences>& influences, const Rig& rig) {
+  std::vector<JointWeights> weights;
+  weights.reserve(influences.size());
+  for (const Influences& one : influences) weights.push_back(ofVertex(one, rig));
+  return weights;
+}
+
+VertexSkin skinOf(JointWeights joints) {
+  std::sort(joints.begin(), joints.end(), [](const JointWeight& a, const JointWeight& b) {
+    return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
+  });
+  joints.resize(std::min(joints.size(), VertexSkin::kMost));
+  double sum = 0;
+  for (const JointWeight& one : joints) sum += one.weight;
+  VertexSkin skin;
+  if (!(sum > 0)) return skin;
+  double others = 0;
+  for (size_t k = joints.size(); k-- > 0;) {
+    skin.joints[k] = joints[k].joint;
+    skin.weights[k] = k > 0 ? joints[k].weight / sum : 1 - others;
+    others += skin.weights[k];
+  }
+  // Equal but for the rounding of the rest: the order stays.
+  if (skin.weights[0] < skin.weights[1]) {
+    std::swap(skin.weights[0], skin.weights[1]);
+    std::swap(skin.joints[0], skin.joints[1]);
+  }
+  return skin;
+}
+
+}  // namespace marrow
