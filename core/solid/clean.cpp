@@ -152,7 +152,15 @@ class Cleaner {
     std::vector<uint32_t> common;
     std::set_intersection(around_a.begin(), around_a.end(), around_b.begin(), around_b.end(),
                           std::back_inserter(common));
-    if (common.size() != 2 || around_a.size() < 4 || around_b.size() < 4) return false;
+    if (common.size() != 2) return false;
+    // A point with three neighbours goes, unless what is left would lie on a triangle.
+    const auto hasCommon = [&](uint32_t p) {
+      return std::any_of(fan(p).begin(), fan(p).end(), [&](uint32_t t) {
+        return has(triangles_[t], common[0]) && has(triangles_[t], common[1]);
+      });
+    };
+    if (around_a.size() < 4 && hasCommon(b)) return false;
+    if (around_b.size() < 4 && hasCommon(a)) return false;
 
     const Vec3 way = points_[b] - points_[a];
     double finest = -1;

@@ -58,11 +58,9 @@ SymmetricRows laplacian(const Volume& volume, std::vector<double>& mass) {
   return rows;
 }
 
-enum Bound : uint8_t { kFree, kZero, kOne, kHeld };
-
 constexpr double kNothing = 1e-3;  // without bounds most weights waver around 0; these begin at it
-constexpr double kRelease = 1e-6;  // what would rise by less stays at its bound
-constexpr double kOver = 1e-6;     // what a bound is overstepped by without harm
+constexpr double kLeastMove = 1e-6;  // what would move by less stays, for the narrowest tolerance
+constexpr int kSweeps = 10;          // between solutions, each the other way round
 
 /// Those that are not held, of pieces that are.
 std::vector<uint8_t> looseVertices(const Volume& volume, const Handles& handles) {
@@ -126,15 +124,19 @@ BoundedBiharmonic::BoundedBiharmonic(const Volume& volume, const Handles& handle
 
 bool BoundedBiharmonic::prepare(uint32_t bone) {
   fixed_.assign(matrix_.size(), 0);
-  piece_of_bone_.assign(volume_.piece_count, 0);
+  std::vector<uint8_t> holds_piece(volume_.piece_count, 0);
   bool holds = false;
   for (size_t i = 0; i < handles_.vertices.size(); ++i) {
     for (uint32_t k = handles_.starts[i]; k < handles_.starts[i + 1]; ++k) {
       if (handles_.bones[k] != bone) continue;
       fixed_[handles_.vertices[i]] = handles_.shares[k];
-      piece_of_bone_[volume_.pieces[handles_.vertices[i]]] = 1;
+      holds_piece[volume_.pieces[handles_.vertices[i]]] = 1;
       holds = true;
     }
+  }
+  moves_.resize(matrix_.size());
+  for (uint32_t v = 0; v < matrix_.size(); ++v) {
+    moves_[v] = loose_[v] && holds_piece[volume_.pieces[v]];
   }
   return holds;
 }
@@ -155,46 +157,66 @@ void BoundedBiharmonic::solveFree(FrontalCholesky& cholesky, const std::vector<u
   }
 }
 
+/// Lets those that are due move to where their neighbours want them within the bounds, one after
+/// the other, and makes due who has to do with it.
+void BoundedBiharmonic::relax(std::vector<uint8_t>& due, std::vector<double>& weights) const {
+  const double least = std::max(kLeastMove, options_.tolerance / 100);
+  const uint32_t n = matrix_.size();
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (uint32_t i = 0; i < n; ++i) {
+      const uint32_t v = sweep % 2 == 0 ? i : n - 1 - i;
+      if (!due[v]) continue;
+      due[v] = 0;
+      if (!moves_[v]) continue;
+      const double wanted = weights[v] - matrix_.times(v, weights) / diagonal_[v];
+      const double now = std::min(std::max(wanted, 0.0), 1.0);
+      if (std::fabs(now - weights[v]) <= least) continue;
+      weights[v] = now;
+      for (uint32_t k = matrix_.starts[v]; k < matrix_.starts[v + 1]; ++k) {
+        due[matrix_.columns[k]] = 1;
+      }
+      due[v] = 0;
+    }
+  }
+}
+
 std::vector<double> BoundedBiharmonic::solve(uint32_t bone) {
   if (!prepare(bone) || !ready_) return fixed_;
   const uint32_t n = matrix_.size();
-  std::vector<double> weights = fixed_, before(n);
+  std::vector<double> weights = fixed_;
   solveFree(unbounded_, loose_, weights);
-  std::vector<Bound> bounds(n, kHeld);
-  std::vector<uint8_t> free(n, 0);
-  for (uint32_t v = 0; v < n; ++v) {
-    if (!loose_[v] || !piece_of_bone_[volume_.pieces[v]]) continue;
-    bounds[v] = weights[v] <= kNothing ? kZero : weights[v] >= 1 ? kOne : kFree;
-  }
-  for (int step = 0; step < options_.most_steps; ++step) {
+  if (options_.most_steps > 0) {
     for (uint32_t v = 0; v < n; ++v) {
-      before[v] = std::min(std::max(weights[v], 0.0), 1.0);
-      free[v] = bounds[v] == kFree;
-      if (!free[v]) weights[v] = bounds[v] == kOne ? 1 : fixed_[v];
+      if (loose_[v] && (!moves_[v] || weights[v] <= kNothing)) weights[v] = 0;
     }
-    if (!bounded_.factor(free)) break;
-    solveFree(bounded_, free, weights);
-    double change = 0;
-    bool settled = true;
-    for (uint32_t v = 0; v < n; ++v) {
-      const double w = weights[v];
-      change = std::max(change, std::fabs(std::min(std::max(w, 0.0), 1.0) - before[v]));
-      Bound next = bounds[v];
-      if (bounds[v] == kFree) {
-        if (w < -kOver) next = kZero;
-        if (w > 1 + kOver) next = kOne;
-      } else if (bounds[v] != kHeld) {
-        // How far the vertex alone would move off its bound.
-        const double off = -matrix_.times(v, weights) / diagonal_[v];
-        if (bounds[v] == kZero ? off > kRelease : off < -kRelease) next = kFree;
-      }
-      settled = settled && next == bounds[v];
-      bounds[v] = next;
-    }
-    if (settled || (step > 0 && change <= options_.tolerance)) break;
   }
   for (double& w : weights) w = std::min(std::max(w, 0.0), 1.0);
-  return weights;
+
+  std::vector<uint8_t> due = moves_, free(n, 0), before(n, 0);
+  std::vector<double> solved = weights;
+  for (int step = 0; step < options_.most_steps; ++step) {
+    relax(due, weights);
+    for (uint32_t v = 0; v < n; ++v) free[v] = moves_[v] && weights[v] > 0 && weights[v] < 1;
+    if ((step > 0 && free == before) || !bounded_.factor(free)) break;
+    before = free;
+    solved = weights;
+    solveFree(bounded_, free, solved);
+    double change = 0;
+    for (uint32_t v = 0; v < n; ++v) {
+      const double w = std::min(std::max(solved[v], 0.0), 1.0);
+      due[v] = due[v] || !free[v];
+      if (w != solved[v]) {
+        for (uint32_t k = matrix_.starts[v]; k < matrix_.starts[v + 1]; ++k) {
+          due[matrix_.columns[k]] = 1;
+        }
+      }
+      solved[v] = w;
+      change = std::max(change, std::fabs(w - weights[v]));
+    }
+    if (change <= options_.tolerance) break;
+    weights = solved;
+  }
+  return solved;
 }
 
 }  // namespace marrow

@@ -20,11 +20,13 @@ struct BiharmonicOptions {
   int most_steps = 20;  // 0: without bounds, cut off at 0 and 1
   /// A step that changes no weight by more than this is the last one. The weights are then about
   /// as near to the solution; 0 goes on till the guess is right.
-  double tolerance = 2e-3;
+  double tolerance = 5e-3;
 };
 
 /// Active sets: a guess at where the bounds hold, the solution where they don't, and what that says
-/// about the guess [Hintermüller, Ito & Kunisch 2002]. Starts at the weights without bounds, whose
+/// about the guess [Hintermüller, Ito & Kunisch 2002]. Between two solutions the vertices move one
+/// by one to where their neighbours want them within the bounds: by a solution alone the guess
+/// would grow by one layer of the lattice a step. Starts at the weights without bounds, whose
 /// matrix is factorised once for all bones.
 class BoundedBiharmonic {
  public:
@@ -39,6 +41,7 @@ class BoundedBiharmonic {
   bool prepare(uint32_t bone);
   void solveFree(FrontalCholesky& cholesky, const std::vector<uint8_t>& free,
                  std::vector<double>& weights);
+  void relax(std::vector<uint8_t>& due, std::vector<double>& weights) const;
 
   const Volume& volume_;
   const Handles& handles_;
@@ -48,8 +51,9 @@ class BoundedBiharmonic {
   std::vector<uint8_t> loose_;  // per vertex: free without bounds
   FrontalCholesky unbounded_, bounded_;
   bool ready_ = false;
-  std::vector<uint8_t> piece_of_bone_;  // whether it holds each piece
-  std::vector<double> fixed_;           // of the bone: values at the handles, else 0
+  // Of the bone.
+  std::vector<double> fixed_;   // values at the handles, else 0
+  std::vector<uint8_t> moves_;  // per vertex: loose, and of a piece that it holds
   std::vector<double> right_;
 };
 

@@ -1,7 +1,5 @@
 #include "bench/models.h"
 
-#include <array>
-#include <map>
 #include <utility>
 
 #include "bench/creatures.h"
@@ -12,6 +10,7 @@
 #include "pose/pose.h"
 #include "pose/rigs.h"
 #include "pose/skin.h"
+#include "solid/solids.h"
 
 namespace marrow::bench {
 namespace {
@@ -48,43 +47,6 @@ Evaluation eightParts(const Document& document) {
   return evaluation;
 }
 
-/// The surface of a box of squares.
-Mesh gridBox(Vec3 low, Vec3 size, int steps) {
-  Mesh mesh;
-  std::map<std::array<int, 3>, uint32_t> known;
-  const auto at = [&](std::array<int, 3> place) {
-    const auto [it, is_new] =
-        known.try_emplace(place, static_cast<uint32_t>(mesh.positions.size()));
-    if (is_new) {
-      mesh.positions.push_back(low + Vec3{size.x * place[0], size.y * place[1], size.z * place[2]} /
-                                         static_cast<double>(steps));
-    }
-    return it->second;
-  };
-  for (size_t axis = 0; axis < 3; ++axis) {
-    for (const int side : {0, steps}) {
-      for (int i = 0; i < steps; ++i) {
-        for (int k = 0; k < steps; ++k) {
-          const auto corner = [&](int u, int v) {
-            std::array<int, 3> place{};
-            place[axis] = side;
-            place[(axis + 1) % 3] = u;
-            place[(axis + 2) % 3] = v;
-            return at(place);
-          };
-          const uint32_t a = corner(i, k), b = corner(i + 1, k), c = corner(i + 1, k + 1),
-                         d = corner(i, k + 1);
-          mesh.triangles.push_back(side ? std::array<uint32_t, 3>{a, b, c}
-                                        : std::array<uint32_t, 3>{a, c, b});
-          mesh.triangles.push_back(side ? std::array<uint32_t, 3>{a, c, d}
-                                        : std::array<uint32_t, 3>{a, d, c});
-        }
-      }
-    }
-  }
-  return mesh;
-}
-
 /// Eight parts each and about as many vertices, in general position and in hard ones.
 std::vector<Solids> solids() {
   const Evaluation creature = eightParts(fourLegged().document);
@@ -106,7 +68,7 @@ std::vector<Solids> solids() {
 
   Solids coplanar{"8 boxes in a row, coplanar", {}};
   for (int i = 0; i < 8; ++i) {
-    coplanar.meshes.push_back(gridBox({0.6 * i, 0, 0}, {1, 1, 1}, 12));
+    coplanar.meshes.push_back(gridBoxMesh({0.6 * i, 0, 0}, {0.6 * i + 1, 1, 1}, 12));
   }
   all.push_back(std::move(coplanar));
   all.push_back({"8 times the same part", std::vector<Mesh>(8, parts[0])});

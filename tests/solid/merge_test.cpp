@@ -81,6 +81,22 @@ TEST_CASE("merge: a union of boxes has the volume of the cells they cover") {
   }
 }
 
+TEST_CASE("merge: fine grids in common planes become one") {
+  for (const int steps : {4, 12}) {
+    for (const double shift : {0.6, 0.5, 0.25}) {
+      INFO(steps << " squares along, shifted by " << shift);
+      std::vector<Mesh> boxes;
+      for (int i = 0; i < 8; ++i) {
+        boxes.push_back(gridBoxMesh({shift * i, 0, 0}, {shift * i + 1, 1, 1}, steps));
+      }
+      const SolidReport report = checkUnion(boxes);
+      CHECK(report.volume == Approx(1 + 7 * shift).epsilon(1e-6));
+      CHECK(report.components == 1);
+      CHECK(report.genus == 0);
+    }
+  }
+}
+
 TEST_CASE("merge: what only touches becomes one, what is apart stays apart") {
   const struct {
     Vec3 move;

@@ -30,6 +30,45 @@ inline Mesh boxMesh(Vec3 low, Vec3 high) {
   return mesh;
 }
 
+/// A box whose faces are grids of squares.
+inline Mesh gridBoxMesh(Vec3 low, Vec3 high, int steps) {
+  Mesh mesh;
+  std::map<std::array<int, 3>, uint32_t> known;
+  const auto at = [&](const std::array<int, 3>& place) {
+    const auto [it, is_new] =
+        known.try_emplace(place, static_cast<uint32_t>(mesh.positions.size()));
+    const Vec3 size = high - low;
+    if (is_new) {
+      mesh.positions.push_back(low + Vec3{size.x * place[0], size.y * place[1], size.z * place[2]} /
+                                         static_cast<double>(steps));
+    }
+    return it->second;
+  };
+  for (size_t axis = 0; axis < 3; ++axis) {
+    for (int i = 0; i < steps; ++i) {
+      for (int k = 0; k < steps; ++k) {
+        for (const int side : {0, steps}) {
+          const auto corner = [&](int u, int v) {
+            std::array<int, 3> place{};
+            place[axis] = side;
+            place[(axis + 1) % 3] = u;
+            place[(axis + 2) % 3] = v;
+            return at(place);
+          };
+          const uint32_t a = corner(i, k), b = corner(i + 1, k), c = corner(i + 1, k + 1),
+                         d = corner(i, k + 1);
+          if (side == 0) {
+            mesh.triangles.insert(mesh.triangles.end(), {{a, c, b}, {a, d, c}});
+          } else {
+            mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
+          }
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
 /// An octahedron whose triangles were divided in four `levels` times.
 inline Mesh sphereMesh(Vec3 centre, double radius, int levels) {
   Mesh mesh;
