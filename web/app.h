@@ -117,11 +117,15 @@ class App {
   Pose wantedPose() const;
   void beginPosing();
   bool posingKey(char character);
+  bool takesHold(Vec2 pixel) const;
+  void chooseJoint(Vec2 pixel);
   void click(Vec2 pixel, bool shift);
   /// The joint at the end of the bone that a click there means.
   std::optional<size_t> boneUnder(Vec2 pixel) const;
   void attachAt(Vec2 pixel);
-  Hand::World world() const { return {document(), evaluation_, ground(), stance_}; }
+  Hand::World world() const {
+    return {document(), evaluation_, ground(), stance_, figure_.figure()};
+  }
   Vec3 ground() const;
   void replace(Document document, const Origin& origin, const std::string& step);
   void act(const FileAction& action);

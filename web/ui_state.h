@@ -80,7 +80,14 @@ struct Posing {
   bool turns = false;          // a drag turns a bone; else it pulls a joint
   Skinning skinning = Skinning::linear;
   Weights weights = Weights::hidden;
+  std::optional<WeightStroke::Kind> brush;  // a drag paints weights, while they are shown
+  static constexpr double kLeastBrush_px = 6, kLargestBrush_px = 160;
+  double brush_px = 26, brush_strength = 0.6;
 };
+
+inline bool paints(const Posing& posing) {
+  return posing.brush && posing.weights != Posing::Weights::hidden;
+}
 
 /// What the user has chosen.
 struct Selection {

@@ -188,21 +188,25 @@ std::vector<Rigid> motionsOf(const Figure& figure, const Rig& rig,
   return motions;
 }
 
-Vec3 posedVertex(const Figure& figure, uint32_t index, const std::vector<Rigid>& motions,
-                 Skinning how) {
-  const Figure::Vertex& vertex = figure.vertices[index];
-  VertexSkin own;
-  double sum = 0;
-  for (size_t k = 0; k < VertexSkin::kMost; ++k) {
-    own.joints[k] = vertex.joints[k];
-    own.weights[k] = vertex.weights[k];
-    sum += own.weights[k];
+std::vector<Vec3> posedVertices(const Figure& figure, const std::vector<Rigid>& motions,
+                                Skinning how) {
+  std::vector<Vec3> positions, normals;
+  std::vector<VertexSkin> skins;
+  for (const Figure::Vertex& vertex : figure.vertices) {
+    positions.push_back(figure.origin + toVec(vertex.position));
+    normals.push_back(toVec(vertex.normal));
+    VertexSkin own;
+    for (size_t k = 0; k < VertexSkin::kMost; ++k) {
+      own.joints[k] = vertex.joints[k];
+      own.weights[k] = vertex.weights[k];
+    }
+    skins.push_back(own);
   }
-  const Vec3 at = figure.origin + toVec(vertex.position);
-  if (!(sum > 0)) return at;
+  const bool follows = !skins.empty() && skins.front().weights[0] > 0;
+  if (!follows) return positions;
   SkinnedVertices result;
-  skin({at}, {toVec(vertex.normal)}, {own}, motions, how, result);
-  return result.positions.front();
+  skin(positions, normals, skins, motions, how, result);
+  return std::move(result.positions);
 }
 
 }  // namespace marrow

@@ -51,8 +51,8 @@ Result<Figure> figureFromBytes(const std::string& bytes);
 /// the rig does not have follow the nearest above them that it has.
 std::vector<Rigid> motionsOf(const Figure& figure, const Rig& rig, const std::vector<Rigid>& posed);
 
-/// Where a vertex is in a pose. motions: of the figure's joints.
-Vec3 posedVertex(const Figure& figure, uint32_t vertex, const std::vector<Rigid>& motions,
-                 Skinning how);
+/// Where the vertices are in a pose, in space. motions: of the figure's joints. O(vertices).
+std::vector<Vec3> posedVertices(const Figure& figure, const std::vector<Rigid>& motions,
+                                Skinning how);
 
 }  // namespace marrow

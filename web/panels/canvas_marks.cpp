@@ -137,6 +137,13 @@ class Marks {
       list_.AddCircle(at, 11, kAttach, 32, 2.4f);
       list_.AddCircleFilled(at, 4, kAttach, 20);
     }
+    const ImVec2 pointer = ImGui::GetIO().MousePos;
+    if (paints(ui_.posing) && ImGui::IsMousePosValid(&pointer) &&
+        !ImGui::GetIO().WantCaptureMouse) {
+      const auto radius = static_cast<float>(ui_.posing.brush_px);
+      list_.AddCircle(pointer, radius + 1, IM_COL32(255, 255, 255, 200), 48, 3);
+      list_.AddCircle(pointer, radius + 1, kEdge, 48, 1.4f);
+    }
     const PoseTool& tool = input_.hand.posing();
     if (const auto target = tool.outOfReach()) {
       const Vec2 to = onScreen(*target);

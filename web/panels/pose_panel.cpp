@@ -215,9 +215,62 @@ class PosePanel {
       posing_.weights = static_cast<Posing::Weights>(next);
       requests_.again = true;
     }
+    if (posing_.weights == Posing::Weights::hidden) {
+      posing_.brush.reset();
+      return;
+    }
     if (posing_.weights == Posing::Weights::joint) {
       softText(chosen() ? "How much the chosen bone holds: dark nothing, light all."
                         : "Click a joint to see what its bone holds.");
+    }
+    brush();
+  }
+
+  void brush() {
+    heading("Brush");
+    ImGui::PushID("brush");
+    const std::vector<Choice> kinds{
+        {"off", "Off"}, {"add", "More"}, {"take", "Less"}, {"smooth", "Smooth"}};
+    const size_t now = posing_.brush ? static_cast<size_t>(*posing_.brush) + 1 : 0;
+    const size_t next = choices(kinds, now, height_);
+    ImGui::PopID();
+    if (next != now) {
+      posing_.brush.reset();
+      if (next > 0) posing_.brush = static_cast<WeightStroke::Kind>(next - 1);
+      requests_.again = true;
+    }
+    if (!posing_.brush) return;
+    if (!chosen()) softText("Click the joint at the end of the bone to paint for.");
+    headingWithNote("Size", "[  ]");
+    const double least = std::log(Posing::kLeastBrush_px);
+    const double most = std::log(Posing::kLargestBrush_px);
+    const auto onSlider = [&](double px) {
+      return static_cast<float>((std::log(px) - least) / (most - least));
+    };
+    const Posing usual;
+    float size = onSlider(posing_.brush_px);
+    const SliderEvent resized = slider("brushSize", size, onSlider(usual.brush_px), height_);
+    if (resized.changed) posing_.brush_px = std::exp(least + size * (most - least));
+    if (resized.reset) posing_.brush_px = usual.brush_px;
+    heading("Strength");
+    float strength = static_cast<float>(posing_.brush_strength);
+    const SliderEvent changed =
+        slider("brushStrength", strength, static_cast<float>(usual.brush_strength), height_);
+    if (changed.changed) posing_.brush_strength = std::max(0.02, static_cast<double>(strength));
+    if (changed.reset) posing_.brush_strength = usual.brush_strength;
+    requests_.again |= resized.changed || resized.reset || changed.changed || changed.reset;
+    const auto joint = chosen();
+    const std::string id = joint ? boneId(*joint) : std::string();
+    const auto& strokes = input_.shown.weight_strokes;
+    const bool painted = joint && std::any_of(strokes.begin(), strokes.end(), [&](const auto& one) {
+                           return one->joint == id || one->joint == oppositeJoint(input_.shown, id);
+                         });
+    ButtonLook look{"What was painted for the chosen bone goes"};
+    look.raised = true;
+    look.enabled = painted;
+    look.width = ImGui::GetContentRegionAvail().x;
+    if (textButton("clearPaint", "Clear this bone's paint", height_, look)) {
+      ask(ClearWeightStrokes{id});
     }
   }
 
