@@ -92,8 +92,8 @@ TEST_CASE("pose tool: a limb bends by itself, and takes along what it hangs on w
   tool.move({600, 250});
   CHECK(distance(placeOf(standing(rig), tool.pose(), 5), {200, 50, 0}) < 0.1);
   CHECK(distance(placeOf(standing(rig), tool.pose(), 3), {150, 0, 0}) < 1e-9);
-  tool.move({600, 100});
-  CHECK(distance(placeOf(standing(rig), tool.pose(), 5), {200, 200, 0}) < 10);
+  tool.move({600, 180});
+  CHECK(distance(placeOf(standing(rig), tool.pose(), 5), {200, 120, 0}) < 1);
   CHECK(distance(placeOf(standing(rig), tool.pose(), 3), {150, 0, 0}) > 10);
 }
 

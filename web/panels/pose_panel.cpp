@@ -38,6 +38,11 @@ class PosePanel {
     beginPanel("pose", ui_.narrow() ? sheetBox(ui_) : columnBox(ui_));
     if (titleRow("Poses", ui_)) close();
     progress();
+    if (posing_.weights != Posing::Weights::hidden) {  // these need the room
+      weights();
+      endPanel();
+      return;
+    }
     list();
     thisPose();
     mix();
@@ -89,13 +94,14 @@ class PosePanel {
     ButtonLook look{"As it was drawn; always there"};
     look.on = !current_;
     look.width = ImGui::GetContentRegionAvail().x;
-    if (textButton("rest", "At rest", height_, look)) show({});
+    if (nameButton("rest", "At rest", look)) show({});
     for (size_t i = 0; i < input_.shown.poses.size(); ++i) {
       ImGui::PushID(static_cast<int>(i));
       row(*input_.shown.poses[i]);
       ImGui::PopID();
     }
     endScrolling();
+    ImGui::Dummy({0, 2});
     look = {"Another pose, to begin with as this one"};
     look.raised = true;
     look.width = ImGui::GetContentRegionAvail().x;
@@ -105,6 +111,14 @@ class PosePanel {
       posing_.amount = 0;
       show(name);
     }
+  }
+
+  bool nameButton(const char* id, const char* name, const ButtonLook& look) {
+    const bool pressed = textButton(id, "", height_, look);
+    const ImVec2 low = ImGui::GetItemRectMin();
+    fittingText(name, {low.x + 10, std::round(low.y + (height_ - ImGui::GetFontSize()) / 2)},
+                look.width - 20, look.on ? Theme::kAccent : Theme::kText);
+    return pressed;
   }
 
   void row(const NamedPose& pose) {
@@ -119,7 +133,7 @@ class PosePanel {
     } else {
       ButtonLook look;
       look.width = width - 4;
-      if (textButton("pose", pose.name.c_str(), height_, look)) show(pose.name);
+      if (nameButton("pose", pose.name.c_str(), look)) show(pose.name);
     }
     ImGui::SameLine(0, 4);
     ButtonLook look{"Delete this pose"};
