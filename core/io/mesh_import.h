@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/result.h"
+#include "document/document.h"
 #include "surface/mesh.h"
 
 namespace marrow {
@@ -20,7 +21,7 @@ constexpr size_t kMostReadTriangles = 200'000;
 constexpr size_t kMostReadVertices = 600'000;
 /// More would be slow to merge and to weight, and nothing is simplified unasked: what a reduction
 /// may lose, the program that made the mesh knows better.
-constexpr size_t kMostTriangles = 100'000;
+constexpr size_t kMostTriangles = PartSource::kMostTriangles;
 
 /// The triangles of the file as they are, in its units; faces with more corners are cut. No
 /// pictures, no colours. Errors, in a sentence: unreadable, tooMany.

@@ -1,7 +1,6 @@
 #include "io/mesh_import.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "io/document_json.h"
 #include "io/glb.h"
