@@ -7,6 +7,7 @@
 #include "base/box.h"
 #include "io/document_json.h"
 #include "samples.h"
+#include "solid/close.h"
 
 namespace marrow {
 namespace {
@@ -103,7 +104,11 @@ Result<bool> App::importFile(const std::string& bytes, const std::string& file, 
     say(cannot("imported", file, next.error()));
     return next.error();
   }
+  const bool crossed = crossesItself(*command.mesh);
   apply(command);
+  if (crossed) {
+    say(file + " passes through itself, so it cannot become one body with other parts.");
+  }
   redraw();
   return true;
 }

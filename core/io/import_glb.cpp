@@ -116,7 +116,7 @@ class Reader {
     if (const Json* required = inner(&glb_.tree, "extensionsRequired")) {
       for (const Json& one : *required) {
         if (one == "KHR_draco_mesh_compression" || one == "EXT_meshopt_compression") {
-          return unreadable("Its mesh is compressed. Export it again without compression.");
+          return unreadable("Its mesh is compressed, so export it again without compression.");
         }
       }
     }

@@ -105,7 +105,7 @@ std::optional<MeshFormat> meshFormatOf(const std::string& bytes, const std::stri
 
 Error tooManyTriangles() {
   return {Status::tooMany,
-          "It has more than 100,000 triangles. Reduce it in the program it comes from."};
+          "It has more than 100,000 triangles, so reduce it in the program it comes from."};
 }
 Error tooManyVertices() { return {Status::tooMany, "It has more than 600,000 vertices."}; }
 

@@ -8,6 +8,8 @@
 
 #include "base/box.h"
 #include "solid/cap.h"
+#include "solid/quality.h"
+#include "solid/slivers.h"
 
 namespace marrow {
 namespace {
@@ -340,12 +342,26 @@ Result<Mesh> closeSurface(const Mesh& surface) {
                {Weld::near, true},
                {Weld::same, true}};
   Error error;
+  std::optional<Mesh> with_slivers;
   for (const auto& [weld, fills] : kWays) {
+    if (fills && with_slivers) break;
     auto mesh = Closing(surface, weld).run(fills);
-    if (mesh) return mesh;
-    error = mesh.error();
+    if (!mesh) {
+      error = mesh.error();
+    } else if (flipSlivers(*mesh) == 0) {
+      return mesh;
+    } else if (!with_slivers) {
+      with_slivers = std::move(*mesh);
+    }
   }
+  if (with_slivers) return std::move(*with_slivers);
   return error;
+}
+
+bool crossesItself(const Mesh& mesh) {
+  const std::vector<Mesh> pieces = piecesOf(mesh);
+  return std::any_of(pieces.begin(), pieces.end(),
+                     [](const Mesh& piece) { return countSelfIntersections(piece) > 0; });
 }
 
 std::vector<Mesh> piecesOf(const Mesh& mesh) {

@@ -162,11 +162,16 @@ TEST_CASE("mesh import: nodes of a GLB place its meshes, and every way to draw t
     append(binary, static_cast<int8_t>(number));
   }
   for (const int name : {0, 1, 2, 3, 0, 1}) append(binary, static_cast<uint8_t>(name));
-  const auto strip = readMesh(
-      glbOf(
-          R"({"scenes":[{"nodes":[0]}],"nodes":[{"children":[1]},{"mesh":0}],"meshes":[{"primitives":[{"mode":5,"attributes":{"POSITION":0},"indices":1}]}],"buffers":[{}],"bufferViews":[{"buffer":0,"byteLength":16,"byteStride":4},{"buffer":0,"byteOffset":16,"byteLength":6}],"accessors":[{"bufferView":0,"type":"VEC3","componentType":5120,"normalized":true,"count":4},{"bufferView":1,"type":"SCALAR","componentType":5121,"count":6}]})",
-          binary),
-      MeshFormat::glb);
+  const auto strip =
+      readMesh(glbOf(
+                   R"({"scenes":[{"nodes":[0]}],"nodes":[{"children":[1]},{"mesh":0}],
+"meshes":[{"primitives":[{"mode":5,"attributes":{"POSITION":0},"indices":1}]}],"buffers":[{}],
+"bufferViews":[{"buffer":0,"byteLength":16,"byteStride":4},
+{"buffer":0,"byteOffset":16,"byteLength":6}],
+"accessors":[{"bufferView":0,"type":"VEC3","componentType":5120,"normalized":true,"count":4},
+{"bufferView":1,"type":"SCALAR","componentType":5121,"count":6}]})",
+                   binary),
+               MeshFormat::glb);
   REQUIRE(strip);
   const MeshReport report = inspect(*strip);
   CHECK(report.closed);
@@ -248,11 +253,13 @@ TEST_CASE("mesh import: counts that the bytes do not bear cost nothing", "[mesh_
   CHECK(importMesh("ply\nformat ascii 1.0\nelement vertex 600000\nend_header\n", MeshFormat::ply)
             .status() == Status::notSolid);
   for (const char* count : {"9007199254740991", "1e300", "-1", "0.5", "4294967296"}) {
-    const std::string glb = glbOf(
-        std::string(
-            R"({"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"buffers":[{}],"bufferViews":[{"buffer":0,"byteLength":16}],"accessors":[{"bufferView":0,"type":"VEC3","componentType":5126,"count":)") +
-            count + "}]}",
-        std::string(16, '\0'));
+    const std::string glb = glbOf(std::string(
+                                      R"({"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"buffers":[{}],
+"bufferViews":[{"buffer":0,"byteLength":16}],
+"accessors":[{"bufferView":0,"type":"VEC3","componentType":5126,"count":)") +
+                                      count + "}]}",
+                                  std::string(16, '\0'));
     CHECK_FALSE(refusal({"a.glb", glb}).empty());
   }
 }

@@ -205,6 +205,42 @@ TEST_CASE("close: pieces face outward each, and those that enclose nothing go", 
   for (const Mesh& piece : pieces) CHECK(volumeOf(piece) > 0.9);
 }
 
+TEST_CASE("close: triangles without area are flipped away, wherever corners lie on edges",
+          "[close]") {
+  Random random(8);
+  for (int run = 0; run < 30; ++run) {
+    Mesh mesh = boxMesh({0, 0, 0}, {3, 2, 1});
+    // Corners on edges, of one of the two triangles alone; flat ones close the gap.
+    for (int i = 0; i < 6; ++i) {
+      const auto t = static_cast<size_t>(random.below(static_cast<int>(mesh.triangles.size())));
+      const auto [a, b, c] = mesh.triangles[t];
+      const Vec3 p = mesh.positions[a], q = mesh.positions[b], r = mesh.positions[c];
+      if (length(cross(q - p, r - p)) < 1e-9) continue;
+      const auto added = static_cast<uint32_t>(mesh.positions.size());
+      mesh.positions.push_back(
+          lerp(mesh.positions[a], mesh.positions[b], random.between(0.2, 0.8)));
+      mesh.triangles[t] = {a, added, c};
+      mesh.triangles.push_back({added, b, c});
+      mesh.triangles.push_back({a, b, added});
+    }
+    REQUIRE(inspect(mesh).closed);
+    REQUIRE(inspect(mesh).degenerate > 0);
+    const auto closed = closeSurface(mesh);
+    REQUIRE(closed);
+    CHECK(validate(*closed).empty());
+    CHECK(volumeOf(*closed) == Approx(6));
+    CHECK_FALSE(crossesItself(*closed));
+  }
+}
+
+TEST_CASE("close: a piece that crosses itself is told from two that cross each other", "[close]") {
+  const Mesh box = boxMesh({0, 0, 0}, {2, 2, 2});
+  CHECK_FALSE(crossesItself(together(box, boxMesh({1, 1, 1}, {3, 3, 3}))));
+  Mesh pushed = sphereMesh({}, 1, 3);
+  pushed.positions[0] = {-3, 0.1, 0.05};
+  CHECK(crossesItself(pushed));
+}
+
 TEST_CASE("close: random damage is mended or refused, never wrong", "[close]") {
   Random random(3);
   int closed_count = 0;
