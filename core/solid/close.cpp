@@ -360,8 +360,7 @@ Result<Mesh> closeSurface(const Mesh& surface) {
 
 bool crossesItself(const Mesh& mesh) {
   const std::vector<Mesh> pieces = piecesOf(mesh);
-  return std::any_of(pieces.begin(), pieces.end(),
-                     [](const Mesh& piece) { return countSelfIntersections(piece) > 0; });
+  return std::any_of(pieces.begin(), pieces.end(), hasSelfIntersection);
 }
 
 std::vector<Mesh> piecesOf(const Mesh& mesh) {
