@@ -132,7 +132,7 @@ struct Side {
 
 class Closing {
  public:
-  Closing(const Mesh& surface, Weld weld) : size_(sizeOf(surface)) {
+  Closing(const Mesh& surface, Weld weld, bool unfolds) : size_(sizeOf(surface)) {
     mesh_.positions = surface.positions;
     std::vector<uint32_t> first;
     if (weld == Weld::same) first = sameAs(surface.positions);
@@ -144,8 +144,11 @@ class Closing {
       const auto [a, b, c] = triangle;
       if (a != b && b != c && c != a) mesh_.triangles.push_back(triangle);
     }
-    dropDoubles();
+    dropDoubles(unfolds);
   }
+
+  /// Whether triangles lie on each other's backs.
+  bool folds() const { return folds_; }
 
   Result<Mesh> run(bool fills) {
     if (mesh_.triangles.empty()) return notSolid("It holds no surface.");
@@ -169,7 +172,13 @@ class Closing {
   }
 
  private:
-  void dropDoubles() {
+  /// Whether the corners run as they do when sorted.
+  static bool isUpward(const std::array<uint32_t, 3>& triangle) {
+    const auto [a, b, c] = triangle;
+    return (a < b && b < c) || (b < c && c < a) || (c < a && a < b);
+  }
+
+  void dropDoubles(bool unfolds) {
     std::vector<std::pair<std::array<uint32_t, 3>, uint32_t>> keys;
     keys.reserve(mesh_.triangles.size());
     for (uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
@@ -179,8 +188,16 @@ class Closing {
     }
     std::sort(keys.begin(), keys.end());
     std::vector<char> doubled(mesh_.triangles.size(), 0);
-    for (size_t i = 1; i < keys.size(); ++i) {
-      if (keys[i].first == keys[i - 1].first) doubled[keys[i].second] = 1;
+    for (size_t i = 0; i < keys.size();) {
+      size_t end = i + 1;
+      while (end < keys.size() && keys[end].first == keys[i].first) ++end;
+      size_t upward = 0;
+      for (size_t k = i; k < end; ++k) upward += isUpward(mesh_.triangles[keys[k].second]) ? 1 : 0;
+      const bool folded = upward > 0 && upward < end - i;
+      folds_ |= folded;
+      const bool none_stays = folded && unfolds && 2 * upward == end - i;
+      for (size_t k = none_stays ? i : i + 1; k < end; ++k) doubled[keys[k].second] = 1;
+      i = end;
     }
     size_t kept = 0;
     for (size_t t = 0; t < mesh_.triangles.size(); ++t) {
@@ -327,6 +344,7 @@ class Closing {
 
   Mesh mesh_;
   double size_;
+  bool folds_ = false;
 };
 
 }  // namespace
@@ -345,13 +363,18 @@ Result<Mesh> closeSurface(const Mesh& surface) {
   std::optional<Mesh> with_slivers;
   for (const auto& [weld, fills] : kWays) {
     if (fills && with_slivers) break;
-    auto mesh = Closing(surface, weld).run(fills);
-    if (!mesh) {
-      error = mesh.error();
-    } else if (flipSlivers(*mesh) == 0) {
-      return mesh;
-    } else if (!with_slivers) {
-      with_slivers = std::move(*mesh);
+    // A fold as thin as that is nothing; but some files hold every face a second time, turned.
+    for (const bool unfolds : {true, false}) {
+      Closing closing(surface, weld, unfolds);
+      if (!unfolds && !closing.folds()) break;
+      auto mesh = closing.run(fills);
+      if (!mesh) {
+        error = mesh.error();
+      } else if (flipSlivers(*mesh) == 0) {
+        return mesh;
+      } else if (!with_slivers) {
+        with_slivers = std::move(*mesh);
+      }
     }
   }
   if (with_slivers) return std::move(*with_slivers);

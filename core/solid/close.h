@@ -8,7 +8,8 @@ namespace marrow {
 
 /// What can be closed, and how:
 /// - corners in the same place become one vertex (or in nearly the same, within 10⁻⁵ of the size,
-///   where that is what it takes); triangles with a repeated corner and doubles go;
+///   where that is what it takes); triangles with a repeated corner and doubles go, and so do two
+///   on each other's backs, unless all are;
 /// - faces are turned so that neighbours agree, and each piece outward;
 /// - a hole gets a cap where it is flat (no corner further from its mean plane than a tenth of the
 ///   hole's size) or small (a twentieth of the model's): anything else would be a guess at a shape;

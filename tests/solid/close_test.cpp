@@ -89,6 +89,30 @@ TEST_CASE("close: loose triangles, turned any way, doubled and crushed become th
   }
 }
 
+TEST_CASE("close: folds without thickness vanish; faces that are there from both sides count once",
+          "[close]") {
+  Mesh folded = sphereMesh({}, 1, 2);
+  const auto [a, b, c] = folded.triangles[5];
+  // Another vertex in the place of c: rounding has put two corners of a thin fold there.
+  folded.positions.push_back(folded.positions[c]);
+  const auto added = static_cast<uint32_t>(folded.positions.size() - 1);
+  folded.triangles.push_back({a, b, added});
+  folded.triangles.push_back({b, a, c});
+  const auto unfolded = closeSurface(apart(folded));
+  REQUIRE(unfolded);
+  CHECK(unfolded->triangles.size() == 128);
+
+  Mesh twice = sphereMesh({}, 1, 2);
+  for (size_t t = 0; t < 128; ++t) {
+    const auto [i, j, k] = twice.triangles[t];
+    twice.triangles.push_back({j, i, k});
+  }
+  const auto once = closeSurface(twice);
+  REQUIRE(once);
+  CHECK(once->triangles.size() == 128);
+  checkSolid(*once);
+}
+
 TEST_CASE("close: corners that nearly meet are one, where that is what it takes", "[close]") {
   Random random(2);
   Mesh loose = apart(sphereMesh({}, 1, 3));
