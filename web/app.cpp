@@ -269,6 +269,7 @@ void App::joinLastSteps() {
 
 void App::apply(const Command& command) {
   const bool draws = std::holds_alternative<AddPart>(command.step);
+  const bool adds = draws || std::holds_alternative<ImportPart>(command.step);
   auto next = marrow::apply(document(), command);
   if (!next) {
     if (draws) {
@@ -278,12 +279,13 @@ void App::apply(const Command& command) {
     }
     return;
   }
-  if (draws) {
+  if (adds) {
     // A stroke that no part can be made of would be a part that nobody can see or select.
     evaluation_.update(*next);
     const EvaluatedPart& added = evaluation_.parts().back();
     if (!added.part) {
-      say("No shape came out of this stroke. Please try once more.");
+      say(draws ? "No shape came out of this stroke. Please try once more."
+                : "No skeleton came out of this shape. Please try it from another side.");
       document_changed_ = true;
       return;
     }

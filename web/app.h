@@ -11,6 +11,7 @@
 #include "document/history.h"
 #include "figure/figure_keeper.h"
 #include "input.h"
+#include "io/mesh_import.h"
 #include "keep/shelf.h"
 #include "meter.h"
 #include "panels/panel_layer.h"
@@ -58,6 +59,13 @@ class App {
   /// The same, for a text of a file or of what is kept; the drawing's number. Errors are said.
   /// file: what to call it where it cannot be opened.
   Result<uint64_t> open(const std::string& text, const std::string& file, const Origin& origin);
+  /// A file as it was chosen or dropped: a drawing, also one in a GLB of ours, or else a mesh,
+  /// which becomes a part in the middle of the view. Errors are said.
+  struct Opened {
+    uint64_t drawing = 0;
+    bool has_file = false;  // the drawing is kept in this file from now on
+  };
+  Result<Opened> openFile(const std::string& bytes, const std::string& file, const Origin& origin);
   /// Puts a picture behind the view the camera is nearest to. image: a data URL.
   void addPicture(const std::string& image, int width, int height);
   /// The text of a kept drawing.
@@ -128,6 +136,7 @@ class App {
   }
   Vec3 ground() const;
   void replace(Document document, const Origin& origin, const std::string& step);
+  Result<bool> importFile(const std::string& bytes, const std::string& file, MeshFormat format);
   void act(const FileAction& action);
   bool handleFileKey(Key key);
   void updateShelf(FrameResult& result);

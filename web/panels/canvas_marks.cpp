@@ -74,7 +74,7 @@ class Marks {
     const PlacedPart* placed = find(ui_.selection.primary());
     if (!placed) return;
     const EvaluatedPart& evaluated = input_.evaluation.parts()[placed->source];
-    if (!evaluated.part || !evaluated.source->visible) return;
+    if (!evaluated.part || !evaluated.source->visible || evaluated.source->mesh) return;
     list_.PathClear();
     for (const Vec2 p : evaluated.part->outline.dense) {
       list_.PathLineTo(toIm(onScreen(placed->frame.toWorld(p))));

@@ -47,7 +47,7 @@ constexpr Entry kPosing[] = {
     {"Weights  W", "what each bone holds"},
 };
 constexpr Entry kFiles[] = {
-    {"Open", "Ctrl O, or drop a file on the canvas"},
+    {"Open", "Ctrl O, or drop a file on the canvas: a drawing or a 3D model"},
     {"Save", "Ctrl S; Shift Ctrl S: in another file"},
 };
 constexpr Entry kLooking[] = {
