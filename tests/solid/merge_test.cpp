@@ -397,8 +397,8 @@ TEST_CASE("merge: small and large models, near and far, are all the same to it")
 }
 
 TEST_CASE("merge: every sample becomes a solid") {
-  CHECK(samples().size() >= 12);
-  for (const Sample& sample : samples()) {
+  CHECK(sampleFiles().size() >= 12);
+  for (const SampleFile& sample : sampleFiles()) {
     INFO(sample.name);
     Evaluation evaluation;
     evaluation.update(sample.document);
