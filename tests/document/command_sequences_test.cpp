@@ -30,7 +30,7 @@ TEST_CASE("commands: every one gives a sound document and leaves the given one a
           "[command_sequences]") {
   Random random(1);
   std::map<size_t, int> done;
-  for (int run = 0; run < 25; ++run) {
+  for (int run = 0; run < 40; ++run) {
     Document document = randomCreature(random, 2 + random.below(20), {20});
     for (int step = 0; step < 60; ++step) {
       const Command command = anyCommand(random, document);
