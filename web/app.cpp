@@ -103,7 +103,7 @@ void App::redraw() {
 void App::takeInput() {
   // The panels see where a pointer is and whether it is down once a frame: what comes after a
   // change waits for the next one, and letting go waits for the way there.
-  bool panels_busy = false, panels_moved = false, panels_read = false;
+  bool panels_busy = false, panels_moved = false, panels_read = false, panels_key = false;
   while (!input_.empty()) {
     const InputEvent event = input_.front();
     const auto* pointer = std::get_if<PointerEvent>(&event);
@@ -111,6 +111,8 @@ void App::takeInput() {
       break;
     const bool pressed = pointer && pointer->type == PointerEvent::Type::down;
     const auto* key = std::get_if<KeyEvent>(&event);
+    // In one frame a field would take letters before keys, whichever came first.
+    if (panels_key && std::holds_alternative<TextEvent>(event)) break;
     if (panels_read && (pressed || (key && isFileKey(key->key))))
       break;  // not before the last letter
     if (key && isFileKey(key->key) && panels_.wantsText()) {
@@ -123,6 +125,7 @@ void App::takeInput() {
       panels_busy = to_panels && isButton(*pointer);
       panels_moved |= to_panels;
     } else if (key) {
+      panels_key |= panels_.wantsText();
       handle(*key);
     } else if (const auto* wheel = std::get_if<WheelEvent>(&event)) {
       if (panels_.panelAt(wheel->position_px)) {
@@ -143,10 +146,7 @@ bool App::handle(const PointerEvent& event) {
   pointer_px_ = event.position_px;
   if (followKey(event)) return false;
   if (event.type == PointerEvent::Type::down) shift_ = event.shift;
-  const auto takes = [this](Vec2 pixel) {
-    return ui_.tool != ToolKind::pose ||
-           jointToGrab(pixel, stance_.posed, ui_.camera, ui_.size, ui_.touch());
-  };
+  const auto takes = [this](Vec2 pixel) { return takesHold(pixel); };
   const Surroundings around{[this](Vec2 pixel) { return panels_.panelAt(pixel); }, pivot(), takes};
   const bool was_stroke = tools_.drawing().active() && tools_.drawing().isStroke();
   const Tools::Outcome outcome = tools_.pointer(event, ui_, around);
@@ -162,7 +162,7 @@ bool App::handle(const PointerEvent& event) {
     case Tools::Gesture::begin:
       closeEdit();
       forgetWhatIsGone();
-      if (ui_.tool == ToolKind::pose) beginPosing();
+      if (ui_.tool == ToolKind::pose && !paints(ui_.posing)) beginPosing();
       hand_.begin(tools_.drawing(), shift_, ui_, world());
       break;
     case Tools::Gesture::move:
@@ -262,6 +262,7 @@ void App::joinLastSteps() {
 
 void App::apply(const Command& command) {
   const bool draws = std::holds_alternative<AddPart>(command.step);
+  const bool adds = draws || std::holds_alternative<ImportPart>(command.step);
   auto next = marrow::apply(document(), command);
   if (!next) {
     if (draws) {
@@ -271,12 +272,13 @@ void App::apply(const Command& command) {
     }
     return;
   }
-  if (draws) {
+  if (adds) {
     // A stroke that no part can be made of would be a part that nobody can see or select.
     evaluation_.update(*next);
     const EvaluatedPart& added = evaluation_.parts().back();
     if (!added.part) {
-      say("No shape came out of this stroke. Please try once more.");
+      say(draws ? "No shape came out of this stroke. Please try once more."
+                : "No skeleton came out of this shape. Please try it from another side.");
       document_changed_ = true;
       return;
     }
@@ -457,7 +459,8 @@ void App::click(Vec2 pixel, bool shift) {
     return;
   }
   if (ui_.tool == ToolKind::pose) {
-    return;  // the press has chosen the joint
+    chooseJoint(pixel);
+    return;
   }
   if (ui_.start_button && ui_.start_button->has(pixel)) {
     ui_.openOnly(&PanelsOpen::gallery);

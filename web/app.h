@@ -12,6 +12,7 @@
 #include "figure/figure_keeper.h"
 #include "figure/file_maker.h"
 #include "input.h"
+#include "io/mesh_import.h"
 #include "keep/shelf.h"
 #include "meter.h"
 #include "panels/panel_layer.h"
@@ -59,6 +60,13 @@ class App {
   /// The same, for a text of a file or of what is kept; the drawing's number. Errors are said.
   /// file: what to call it where it cannot be opened.
   Result<uint64_t> open(const std::string& text, const std::string& file, const Origin& origin);
+  /// A file as it was chosen or dropped: a drawing, also one in a GLB of ours, or else a mesh,
+  /// which becomes a part in the middle of the view. Errors are said.
+  struct Opened {
+    uint64_t drawing = 0;
+    bool has_file = false;  // the drawing is kept in this file from now on
+  };
+  Result<Opened> openFile(const std::string& bytes, const std::string& file, const Origin& origin);
   /// Puts a picture behind the view the camera is nearest to. image: a data URL.
   void addPicture(const std::string& image, int width, int height);
   /// The text of a kept drawing.
@@ -120,13 +128,18 @@ class App {
   Pose wantedPose() const;
   void beginPosing();
   bool posingKey(char character);
+  bool takesHold(Vec2 pixel) const;
+  void chooseJoint(Vec2 pixel);
   void click(Vec2 pixel, bool shift);
   /// The joint at the end of the bone that a click there means.
   std::optional<size_t> boneUnder(Vec2 pixel) const;
   void attachAt(Vec2 pixel);
-  Hand::World world() const { return {document(), evaluation_, ground(), stance_}; }
+  Hand::World world() const {
+    return {document(), evaluation_, ground(), stance_, figure_.figure()};
+  }
   Vec3 ground() const;
   void replace(Document document, const Origin& origin, const std::string& step);
+  Result<bool> importFile(const std::string& bytes, const std::string& file, MeshFormat format);
   void act(const FileAction& action);
   bool handleFileKey(Key key);
   void updateShelf(FrameResult& result);

@@ -4,21 +4,24 @@
 #include <utility>
 
 #include "app.h"
+#include "base/box.h"
 #include "io/document_json.h"
 #include "samples.h"
+#include "solid/close.h"
 
 namespace marrow {
 namespace {
 
 constexpr double kThumbnailBudget_ms = 10;  // of a frame
+constexpr double kImportedShare = 0.5;      // of the view, what is imported
 
 /// "dog.json cannot be opened: it is empty."
-std::string cannotOpen(const std::string& what, const Error& error) {
+std::string cannot(const char* done, const std::string& what, const Error& error) {
   std::string why = error.message();
-  for (const char* start : {"It ", "This "}) {
+  for (const char* start : {"It ", "Its ", "More ", "This "}) {
     if (why.rfind(start, 0) == 0) why[0] = static_cast<char>(std::tolower(why[0]));
   }
-  return (what.empty() ? "This drawing" : what) + " cannot be opened: " + why;
+  return (what.empty() ? "This drawing" : what) + " cannot be " + done + ": " + why;
 }
 
 }  // namespace
@@ -38,7 +41,7 @@ void App::replace(Document document, const Origin& origin, const std::string& st
 Result<uint64_t> App::open(const std::string& text, const std::string& file, const Origin& origin) {
   auto opened = readDocument(text);
   if (!opened) {
-    say(cannotOpen(file, opened.error()));
+    say(cannot("opened", file, opened.error()));
     return opened.error();
   }
   const std::string name = origin.name.empty() ? nameIn(*opened) : origin.name;
@@ -48,6 +51,66 @@ Result<uint64_t> App::open(const std::string& text, const std::string& file, con
   ui_.camera.pitch_rad = 0;
   frame_all_next_ = true;
   return document().drawing;
+}
+
+Result<App::Opened> App::openFile(const std::string& bytes, const std::string& file,
+                                  const Origin& origin) {
+  const auto format = meshFormatOf(bytes, file);
+  if (!format) {
+    const auto drawing = open(bytes, file, origin);
+    if (!drawing) return drawing.error();
+    return Opened{*drawing, true};
+  }
+  const auto text = *format == MeshFormat::glb ? documentInGlb(bytes) : std::nullopt;
+  if (text) {
+    Origin inside = origin;
+    inside.place.clear();
+    const auto drawing = open(*text, file, inside);
+    if (!drawing) return drawing.error();
+    return Opened{*drawing, false};
+  }
+  const auto imported = importFile(bytes, file, *format);
+  if (!imported) return imported.error();
+  return Opened{document().drawing, false};
+}
+
+Result<bool> App::importFile(const std::string& bytes, const std::string& file, MeshFormat format) {
+  const auto mesh = importMesh(bytes, format);
+  if (!mesh) {
+    say(cannot("imported", file, mesh.error()));
+    return mesh.error();
+  }
+  closeEdit();
+  tools_.cancelGesture();
+  hand_.cancel(ui_);
+  // As the view shows it, in the middle, as deep as the model.
+  const Camera camera = ui_.glide.running() ? ui_.glide.destination() : ui_.camera;
+  const auto [right, up, back] = camera.axes();
+  Mesh seen = *mesh;
+  Box3 box;
+  for (Vec3& p : seen.positions) {
+    p = {dot(right, p), dot(up, p), dot(back, p)};
+    box.include(p);
+  }
+  const double scale = kImportedShare / camera.zoom *
+                       std::min(ui_.size.width / box.size().x, ui_.size.height / box.size().y);
+  for (Vec3& p : seen.positions) p = (p - box.middle()) * scale;
+  ImportPart command;
+  command.mesh = std::make_shared<const Mesh>(std::move(seen));
+  command.name = nameOfFile(file);
+  command.frame = {camera.target + back * dot(back, pivot() - camera.target), right, up};
+  const auto next = marrow::apply(document(), command);
+  if (!next) {
+    say(cannot("imported", file, next.error()));
+    return next.error();
+  }
+  const bool crossed = crossesItself(*command.mesh);
+  apply(command);
+  if (crossed) {
+    say(file + " passes through itself, so it cannot become one body with other parts.");
+  }
+  redraw();
+  return true;
 }
 
 void App::addPicture(const std::string& image, int width, int height) {

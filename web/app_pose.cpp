@@ -8,6 +8,7 @@ namespace marrow {
 namespace {
 
 constexpr double kGlide_ms = 240;
+constexpr double kBrushStep = 1.2;  // by key
 
 }  // namespace
 
@@ -35,14 +36,15 @@ void App::workEnded(uint64_t number, const std::string& why) {
     job.name = std::move(file->name);
     job.text = std::move(file->bytes);
     shelf_.keeping.ask(std::move(job));
-  } else if (number >= FileMaker::kFirstNumber && !file_.busy() && !ui_.open.exporting) {
+  } else if (number >= FileMaker::kFirstNumber && !file_.failure().empty() &&
+             !ui_.open.exporting) {
     say(file_.failure());
   }
   redraw();
 }
 
 void App::updateFigure(FrameResult& result) {
-  const bool busy = tools_.drawing().active() && hand_.mode() != Hand::Mode::pose;
+  const bool busy = tools_.drawing().active() && ui_.tool != ToolKind::pose;
   const bool posing = ui_.tool == ToolKind::pose;
   const bool awaited = posing || ui_.open.exporting;
   auto order = file_.update(figure_.done() >= 0);
@@ -107,13 +109,6 @@ void App::updateStance() {
   const double t = (ui_.now_ms - glide_since_ms_) / kGlide_ms;
   const Pose now = t < 1 ? mixed(glide_from_, wanted_pose_, t * t * (3 - 2 * t)) : wanted_pose_;
 
-  const auto joint_of = [&](const std::string& id) -> std::optional<uint32_t> {
-    const auto& joints = stance_.rest.joints;
-    for (size_t i = 0; i < joints.size(); ++i) {
-      if (joints[i].id == id) return static_cast<uint32_t>(i);
-    }
-    return std::nullopt;
-  };
   const bool same_rig = stance_rig_ == evaluation_.rigId();
   if (!same_rig) {
     stance_.rest = stance_.posed = evaluation_.rig();
@@ -121,7 +116,7 @@ void App::updateStance() {
   }
   stance_.pins.clear();
   for (const std::string& id : ui_.posing.pins) {
-    if (const auto joint = joint_of(id)) stance_.pins.push_back(*joint);
+    if (const auto joint = jointOf(stance_.rest, id)) stance_.pins.push_back(*joint);
   }
   if (same_rig && now == shown_pose_) return;
   shown_pose_ = stance_.pose = now;
@@ -129,6 +124,21 @@ void App::updateStance() {
   for (size_t i = 0; i < motions.size(); ++i) {
     stance_.posed.joints[i].position = motions[i](stance_.rest.joints[i].position);
   }
+}
+
+bool App::takesHold(Vec2 pixel) const {
+  if (ui_.tool != ToolKind::pose) return true;
+  if (jointToGrab(pixel, stance_.posed, ui_.camera, ui_.size, ui_.touch())) return true;
+  if (!paints(ui_.posing) || !figure_.figure()) return false;
+  const auto motions =
+      motionsOf(*figure_.figure(), stance_.rest, posed(stance_.rest, stance_.pose));
+  const SeenFigure seen(figure_.figure(), motions, ui_.posing.skinning, ui_.camera, ui_.size);
+  return seen.at(pixel).has_value();
+}
+
+void App::chooseJoint(Vec2 pixel) {
+  const auto joint = jointToGrab(pixel, stance_.posed, ui_.camera, ui_.size, ui_.touch());
+  if (joint) ui_.posing.joint = stance_.rest.joints[*joint].id;
 }
 
 // What a hand changes is a pose of its own: never the rest, and not what two are mixed from.
@@ -168,14 +178,18 @@ bool App::posingKey(char character) {
       transformByKey(character == 'g' || character == 'G' ? TransformKind::move
                                                           : TransformKind::rotate);
       return true;
+    case '[':
+    case ']':
+      posing.brush_px =
+          std::clamp(posing.brush_px * (character == '[' ? 1 / kBrushStep : kBrushStep),
+                     Posing::kLeastBrush_px, Posing::kLargestBrush_px);
+      return true;
     case 's':
     case 'S':
     case 'x':
     case 'X':
     case 'D':
     case 'h':
-    case '[':
-    case ']':
       return true;  // parts are not changed while poses are made
     default:
       return false;

@@ -49,8 +49,9 @@ std::optional<Hit> surfaceAt(Vec2 pixel, const Evaluation& evaluation, const Cam
     if (!evaluated.part || !evaluated.source->visible) continue;
     const ToView to_view(placed.frame, camera);
     view.clear();
-    for (const Vec3& position : evaluated.part->mesh.positions) view.push_back(to_view(position));
-    for (const auto& [i, j, l] : evaluated.part->mesh.triangles) {
+    const Mesh& mesh = evaluated.shapeOf(placed)->mesh;
+    for (const Vec3& position : mesh.positions) view.push_back(to_view(position));
+    for (const auto& [i, j, l] : mesh.triangles) {
       const double whole = area(view[i], view[j], view[l]);
       if (whole <= 0) continue;  // faces away
       const double a = area(at, view[j], view[l]), b = area(view[i], at, view[l]);

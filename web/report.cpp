@@ -21,7 +21,7 @@ Json toJson(const Part& part, const Frame& frame) {
   Json json;
   json["joints"] = Json::array();
   for (const PartSkeleton::Joint& joint : part.skeleton.joints) {
-    const Vec3 at = frame.toWorld(joint.position);
+    const Vec3 at = frame.toWorld(joint.place());
     json["joints"].push_back({{"kind", toString(joint.kind)},
                               {"position", {at.x, at.y, at.z}},
                               {"radius", joint.radius * frame.scale()}});

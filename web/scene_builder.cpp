@@ -67,13 +67,16 @@ class Builder {
     body.color = toRgba(color);
     body.selected = selected;
     scene_.bodies.push_back(std::move(body));
-    double height = 0;
-    for (const Vec3& p : part->mesh.positions) height = std::max(height, p.z);
-    const Vec3 up = frame.z() * height;
+    double high = 0, low = 0;
+    for (const Vec3& p : part->mesh.positions) {
+      high = std::max(high, p.z);
+      low = std::min(low, p.z);
+    }
+    const Vec3 up = frame.z() * high, down = frame.z() * low;
     for (const Vec2 p : part->outline.dense) {
       const Vec3 world = frame.toWorld(p);
       box_.include(world + up);
-      box_.include(world - up);
+      box_.include(world + down);
     }
     if (ui_.show.straight_skeleton) addStraightSkeleton(*part, frame);
     if (ui_.show.proxy) addProxy(part->skeleton, frame);
@@ -249,7 +252,7 @@ class Builder {
   void addProxy(const PartSkeleton& skeleton, const Frame& frame) {
     const double scale = frame.scale();
     const auto place = [&](const PartSkeleton::Joint& joint) {
-      return relative(frame.toWorld(joint.position));
+      return relative(frame.toWorld(joint.place()));
     };
     for (const PartSkeleton::Joint& joint : skeleton.joints) {
       scene_.proxy_balls.push_back(
@@ -258,7 +261,7 @@ class Builder {
     for (const auto& [i, j] : skeleton.bones) {
       const PartSkeleton::Joint& a = skeleton.joints[i];
       const PartSkeleton::Joint& b = skeleton.joints[j];
-      if (distance(a.position, b.position) <= std::abs(a.radius - b.radius)) continue;
+      if (distance(a.place(), b.place()) <= std::abs(a.radius - b.radius)) continue;
       scene_.proxy_cones.push_back({place(a), place(b), static_cast<float>(a.radius * scale),
                                     static_cast<float>(b.radius * scale), kProxy});
     }
@@ -280,7 +283,7 @@ Scene buildScene(const Evaluation& evaluation, const Rig& rig, const LivePart& l
   for (const PlacedPart& one : placed) {
     const EvaluatedPart& part = evaluation.parts()[one.source];
     if (!part.part || !part.source->visible) continue;
-    builder.addPart(part.part, part.mesh_id, one.frame, part.source->color,
+    builder.addPart(part.shapeOf(one), part.meshOf(one), one.frame, part.source->color,
                     !posing && ui.selection.has(one.id));
   }
   const bool exports = ui.open.exporting && takesOneBody(ui.exporting.file);

@@ -84,6 +84,9 @@ struct Posing {
   bool turns = false;          // a drag turns a bone; else it pulls a joint
   Skinning skinning = Skinning::linear;
   Weights weights = Weights::hidden;
+  std::optional<WeightStroke::Kind> brush;  // a drag paints weights, while they are shown
+  static constexpr double kLeastBrush_px = 6, kLargestBrush_px = 160;
+  double brush_px = 26, brush_strength = 0.6;
 };
 
 /// What is to be taken away, as chosen in the sheet.
@@ -94,6 +97,10 @@ struct Exporting {
   std::string path;          // typed where the platform has no dialogs
   bool path_edited = false;  // else it follows the drawing's name
 };
+
+inline bool paints(const Posing& posing) {
+  return posing.brush && posing.weights != Posing::Weights::hidden;
+}
 
 /// What the user has chosen.
 struct Selection {

@@ -26,6 +26,10 @@ const char* toSentence(Status status) {
       return "It is locked. Unlock it to change it.";
     case Status::tooMany:
       return "This is more than a drawing holds.";
+    case Status::notSolid:
+      return "This surface is not closed.";
+    case Status::notDrawn:
+      return "It was not drawn, so it has no outline to change.";
   }
   return "Something went wrong.";
 }

@@ -20,6 +20,8 @@ enum class Status {
   notFound,        // a part, a step or a file that is not there
   locked,          // a part that the user locked
   tooMany,         // more than a document holds
+  notSolid,        // a surface that encloses nothing and cannot be made to
+  notDrawn,        // a part that is no stroke: it has no outline to change
 };
 
 /// The sentence shown to the user for a code, always compiled in.

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <utility>
 
 #include "character/joint_skin.h"
 #include "document/symmetry.h"
 #include "solid/blend.h"
+#include "solid/close.h"
 
 namespace marrow {
 namespace {
@@ -106,7 +108,7 @@ SkinnedMesh withNormals(const MergedMesh& merged) {
 
 const Part* shownPart(const Evaluation& evaluation, const PlacedPart& placed) {
   const EvaluatedPart& evaluated = evaluation.parts()[placed.source];
-  return evaluated.part && evaluated.source->visible ? evaluated.part.get() : nullptr;
+  return evaluated.part && evaluated.source->visible ? evaluated.shapeOf(placed).get() : nullptr;
 }
 
 using WeightReport = Character::WeightReport;
@@ -159,16 +161,30 @@ class Maker {
   void merge() {
     const auto& placed = evaluation_.placed();
     std::vector<SolidInput> solids;
+    std::deque<Mesh> pieces;
     for (size_t i = 0; i < placed.size(); ++i) {
       const Part* part = shownPart(placed[i]);
-      if (part) solids.push_back({&part->mesh, placed[i].frame, static_cast<uint32_t>(i)});
+      if (!part) continue;
+      const auto id = static_cast<uint32_t>(i);
+      if (!part->imported) {
+        solids.push_back({&part->mesh, placed[i].frame, id});
+        continue;
+      }
+      // Pieces may pass through each other; only one that crosses itself is no solid.
+      for (Mesh& piece : piecesOf(part->mesh)) {
+        pieces.push_back(std::move(piece));
+        solids.push_back({&pieces.back(), placed[i].frame, id, true});
+      }
     }
     made_.merged = mergeSolids(solids, options_.merge, clock_);
     if (options_.merged) {
       made_.merged = blendSeams(std::move(made_.merged), {options_.blend}, clock_);
     }
     for (const MergedMesh::LeftOut& out : made_.merged.left_out) {
-      made_.left_out.push_back({placed[out.id].id, out.why});
+      const std::string& id = placed[out.id].id;
+      const bool known = std::any_of(made_.left_out.begin(), made_.left_out.end(),
+                                     [&](const Character::LeftOut& one) { return one.part == id; });
+      if (!known) made_.left_out.push_back({id, out.why});
     }
   }
 

@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "io/document_json.h"
+#include "io/mesh_import.h"
 
 namespace marrow {
 namespace {
@@ -128,7 +129,11 @@ bool sameFile(const std::string& a, const std::string& b) {
 Result<Document> openDocument(const std::string& path) {
   const auto text = readAll(path, kLargestFile);
   if (!text) return {text.status(), path + ": " + text.message()};
-  auto document = readDocument(*text);
+  const bool is_glb = text->compare(0, 4, "glTF") == 0;
+  const auto inside = is_glb ? documentInGlb(*text) : std::nullopt;
+  if (is_glb && !inside)
+    return {Status::unreadable, path + ": It is a GLB without a drawing in it."};
+  auto document = readDocument(inside ? *inside : *text);
   if (!document) return {document.status(), path + ": " + document.message()};
   return document;
 }

@@ -23,7 +23,8 @@ std::optional<Error> writeAll(const std::vector<OutputFile>& files);
 /// largest: bytes. Errors: unreadable, with what is wrong.
 Result<std::string> readAll(const std::string& path, size_t largest);
 
-/// A file that holds a document. Errors: with the path in front.
+/// A file that holds a document: its text, or a GLB that Marrow wrote. Errors: with the path in
+/// front.
 Result<Document> openDocument(const std::string& path);
 
 /// The last piece of a path.

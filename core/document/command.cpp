@@ -10,6 +10,7 @@
 #include "document/placed_parts.h"
 #include "document/placement.h"
 #include "document/reference_image.h"
+#include "part/silhouette.h"
 #include "sketch/outline.h"
 
 namespace marrow {
@@ -93,17 +94,23 @@ std::vector<Vec2> drawable(const std::vector<Vec2>& stroke) {
 
 Error tooFarAway() { return {Status::noArea, "This is too far away to draw."}; }
 
+/// With the next number, its name and its colour.
+Document withPart(const Document& document, PartSource part) {
+  Document next = document;
+  const uint64_t number = takePartNumber(next);
+  part.id = partId(number);
+  if (part.name.empty()) part.name = defaultPartName(number);
+  part.color = partColor(static_cast<size_t>(number - 1));
+  next.parts.push_back(share(std::move(part)));
+  return next;
+}
+
 Result<Document> applyTo(const Document& document, const AddPart& command) {
   if (document.parts.size() >= Document::kMostParts) return Status::tooMany;
   PartSource part;
   part.stroke = drawable(command.stroke);
   part.frame = command.frame;
-  if (!isSound(part.frame)) {
-    const auto fit = fitFrame(part.frame.origin, part.frame.x, part.frame.y);
-    if (!fit) return tooFarAway();
-    part.frame = fit->frame;
-    for (Vec2& p : part.stroke) p = (*fit)(p);
-  }
+  if (!fitInFrame(part)) return tooFarAway();
   auto outline = makeOutline(part.stroke);
   if (!outline) return outline.error();
   if (!isDrawable(part.stroke, part.frame)) return tooFarAway();
@@ -111,14 +118,26 @@ Result<Document> applyTo(const Document& document, const AddPart& command) {
     part.mirror = normalised(*command.mirror);
     if (!part.mirror) return noPlane();
   }
+  return withPart(document, std::move(part));
+}
 
-  Document next = document;
-  const uint64_t number = takePartNumber(next);
-  part.id = partId(number);
-  part.name = defaultPartName(number);
-  part.color = partColor(static_cast<size_t>(number - 1));
-  next.parts.push_back(share(std::move(part)));
-  return next;
+Result<Document> applyTo(const Document& document, const ImportPart& command) {
+  if (document.parts.size() >= Document::kMostParts) return Status::tooMany;
+  if (!command.mesh) return Status::notSolid;
+  PartSource part;
+  part.frame = command.frame;
+  part.mesh = std::make_shared<const Mesh>(inSinglePrecision(*command.mesh));
+  if (!fitInFrame(part)) return tooFarAway();
+  const std::string fault = faultIn(*part.mesh);
+  if (!fault.empty()) return {Status::notSolid, "The mesh " + fault + "."};
+  auto silhouette = silhouetteOf(*part.mesh);
+  if (!silhouette) return silhouette.error();
+  part.stroke = std::move(*silhouette);
+  const auto outline = makeOutline(part.stroke);
+  if (!outline) return outline.error();
+  if (!isDrawable(part)) return tooFarAway();
+  part.name = toUtf8(command.name);
+  return withPart(document, std::move(part));
 }
 
 Result<Document> applyTo(const Document& document, const DeleteParts& command) {
@@ -219,7 +238,8 @@ Result<Document> applyTo(const Document& document, const TransformParts& command
       if (!moved->mirror) return noPlane();
     }
     const bool same = moved->frame == part.frame && moved->mirror == part.mirror &&
-                      moved->thickness == part.thickness && moved->stroke == part.stroke;
+                      moved->thickness == part.thickness && moved->stroke == part.stroke &&
+                      moved->mesh == part.mesh;
     if (same) continue;
     bringStrokes(part, map, *moved, next);
     next.parts[i] = share(std::move(*moved));
@@ -266,10 +286,15 @@ Result<Document> applyTo(const Document& document, const RenamePart& command) {
 Result<Document> applyTo(const Document& document, const SetStroke& command) {
   const auto parts = findUnlocked(document, {command.id});
   if (!parts) return parts.error();
+  const PartSource& changed = *document.parts[parts->front()];
+  if (changed.mesh) {
+    return {Status::notDrawn,
+            onOneLine(changed.name) + " was imported, so it has no outline to change."};
+  }
   const std::vector<Vec2> stroke = drawable(command.stroke);
   auto outline = makeOutline(stroke);
   if (!outline) return outline.error();
-  if (!isDrawable(stroke, document.parts[parts->front()]->frame)) return tooFarAway();
+  if (!isDrawable(stroke, changed.frame)) return tooFarAway();
   return changeParts(document, parts,
                      [&](PartSource& part) { return assign(part.stroke, stroke); });
 }
@@ -338,7 +363,8 @@ Result<Document> applyTo(const Document& document, const SeparateTwins& command)
     if (part.attachment) {
       twin.attachment = attachmentOfTwin(document, *part.attachment, *part.mirror);
     }
-    if (!isDrawable(twin.stroke, twin.frame)) return tooFarAway();
+    if (twin.mesh) twin.mesh = std::make_shared<const Mesh>(flipped(*twin.mesh));
+    if (!isDrawable(twin)) return tooFarAway();
     new_id[placed.id] = twin.id;
     twins[placed.source] = std::move(twin);
   }

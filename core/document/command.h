@@ -20,6 +20,13 @@ struct AddPart {
   Frame frame = {};
   std::optional<Plane> mirror = {};
 };
+/// A part that is a mesh (PartSource::mesh), with the skeleton of its silhouette in the frame's
+/// plane. Errors: notSolid for one that is none, noArea.
+struct ImportPart {
+  std::shared_ptr<const Mesh> mesh;  // in the frame; not null
+  std::string name;                  // of the part; empty: by its number
+  Frame frame = {};
+};
 struct DeleteParts {
   Ids ids;
 };
@@ -62,7 +69,8 @@ struct SetSkeleton {
 struct RenamePart {
   std::string id, name;
 };
-/// Another outline for a part: what contour editing gives. Errors: tooFewPoints, noArea.
+/// Another outline for a part: what contour editing gives. Errors: tooFewPoints, noArea; notDrawn
+/// for an imported one.
 struct SetStroke {
   std::string id;
   std::vector<Vec2> stroke;
@@ -143,11 +151,12 @@ struct ReplaceDocument {  // open, new
 /// Any one of the above. A type of its own rather than a variant, so that `apply` never means
 /// std::apply.
 struct Command {
-  using Step = std::variant<AddPart, DeleteParts, DuplicateParts, TransformParts, SetThickness,
-                            SetColor, SetVisible, SetLocked, SetSkeleton, RenamePart, SetStroke,
-                            SetMirror, SeparateTwins, SetSymmetry, SetRefinement, ResetRefinement,
-                            SetAttachment, SetRoot, SetReference, SetPose, RenamePose, DeletePose,
-                            SetBlend, AddWeightStroke, ClearWeightStrokes, ReplaceDocument>;
+  using Step =
+      std::variant<AddPart, ImportPart, DeleteParts, DuplicateParts, TransformParts, SetThickness,
+                   SetColor, SetVisible, SetLocked, SetSkeleton, RenamePart, SetStroke, SetMirror,
+                   SeparateTwins, SetSymmetry, SetRefinement, ResetRefinement, SetAttachment,
+                   SetRoot, SetReference, SetPose, RenamePose, DeletePose, SetBlend,
+                   AddWeightStroke, ClearWeightStrokes, ReplaceDocument>;
   template <typename One, typename = std::enable_if_t<std::is_constructible_v<Step, One>>>
   Command(One one) : step(std::move(one)) {}
 

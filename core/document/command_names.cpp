@@ -36,6 +36,11 @@ std::string describeIn(const Document& before, const AddPart&) {
   Document next = before;
   return "Draw part " + std::to_string(takePartNumber(next));
 }
+std::string describeIn(const Document& before, const ImportPart& command) {
+  Document next = before;
+  const std::string name = onOneLine(toUtf8(command.name));
+  return "Import " + (name.empty() ? "part " + std::to_string(takePartNumber(next)) : name);
+}
 std::string describeIn(const Document& before, const DeleteParts& command) {
   return "Delete " + named(before, command.ids);
 }

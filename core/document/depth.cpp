@@ -58,7 +58,7 @@ class Layers {
     }
     Layers layers;
     const Frame& frame = found->frame;
-    layers.box_ = boxOf(*evaluation.parts()[found->source].part);
+    layers.box_ = boxOf(*evaluation.parts()[found->source].shapeOf(*found));
     const Vec3 normal = frame.z() / frame.scale();
     layers.direction = dot(normal, viewer) < 0 ? -normal : normal;
     layers.own = spanOf(layers.box_, frame, layers.direction);
@@ -67,7 +67,7 @@ class Layers {
     for (const PlacedPart& other : placed) {
       const EvaluatedPart& evaluated = evaluation.parts()[other.source];
       if (named[other.source] || !evaluated.part || !evaluated.source->visible) continue;
-      const Box3 box = boxOf(*evaluated.part);
+      const Box3 box = boxOf(*evaluated.shapeOf(other));
       layers.others.push_back(
           {spanOf(box, other.frame, layers.direction), layers.overlaps(frame, box, other.frame)});
     }

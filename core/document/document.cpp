@@ -1,5 +1,6 @@
 #include "document/document.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -59,6 +60,45 @@ bool isDrawable(Vec2 point) {
 
 bool isDrawable(Vec3 point) {
   return isDrawable(Vec2{point.x, point.y}) && isDrawable(Vec2{point.z, 0});
+}
+
+std::string faultIn(const Mesh& mesh) {
+  if (mesh.triangles.empty()) return "has no triangles";
+  if (mesh.triangles.size() > PartSource::kMostTriangles) return "has more than 100,000 triangles";
+  std::vector<char> used(mesh.positions.size(), 0);
+  for (const auto& triangle : mesh.triangles) {
+    for (const uint32_t corner : triangle) {
+      if (corner >= used.size()) return "has a corner that is no vertex";
+      used[corner] = 1;
+    }
+  }
+  if (std::find(used.begin(), used.end(), 0) != used.end()) return "has a vertex without triangles";
+  for (const Vec3 p : mesh.positions) {
+    for (const double number : {p.x, p.y, p.z}) {
+      if (!isDrawable(Vec2{number, 0}) || static_cast<float>(number) != number) {
+        return "has a coordinate out of range";
+      }
+    }
+  }
+  const MeshReport report = inspect(mesh);
+  if (!report.closed) return "has a hole";
+  if (!report.manifold) return "is no surface of a solid";
+  if (!(report.volume > 0)) return "encloses nothing";
+  return {};
+}
+
+Mesh inSinglePrecision(Mesh mesh) {
+  // By way of memory: there and back in one expression, GCC 12 leaves some numbers as they are
+  // (its -ftree-slp-vectorize).
+  std::vector<std::array<float, 3>> numbers;
+  numbers.reserve(mesh.positions.size());
+  for (const Vec3 p : mesh.positions) {
+    numbers.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+  }
+  for (size_t i = 0; i < numbers.size(); ++i) {
+    mesh.positions[i] = {numbers[i][0], numbers[i][1], numbers[i][2]};
+  }
+  return mesh;
 }
 
 std::optional<size_t> Document::find(const std::string& id) const {

@@ -15,6 +15,7 @@
 #include "document/pose.h"
 #include "document/refinement.h"
 #include "document/weight_stroke.h"
+#include "surface/mesh.h"
 
 namespace marrow {
 
@@ -48,13 +49,18 @@ inline bool operator==(const Attachment& a, const Attachment& b) {
   return a.part == b.part && a.at == b.at;
 }
 
-/// One closed stroke and what the user set for it.
+/// One closed stroke and what the user set for it; or a mesh that was imported, with its
+/// silhouette.
 struct PartSource {
+  static constexpr size_t kMostTriangles = 100'000;  // of a mesh
   static constexpr size_t kMostBranches = 500;
 
   std::string id;  // unique in the document, never reused; without ':'
   std::string name;
-  std::vector<Vec2> stroke;     // in the part's plane, as drawn, drawable
+  std::vector<Vec2> stroke;  // in the part's plane, as drawn, drawable
+  /// The body in the part's frame at thickness 1 where it was imported, else null. Closed, outward,
+  /// each number that of a float (see faultIn). `stroke` is its silhouette then.
+  std::shared_ptr<const Mesh> mesh;
   Frame frame;                  // places that plane in space
   double thickness = 1;         // scales the inflated depth; kMinThickness … kMaxThickness
   std::optional<Plane> mirror;  // the part has a twin across this plane
@@ -82,6 +88,11 @@ struct Reference {
   double scale = 1;  // model units per pixel of the picture
   std::string extra = "{}";
 };
+
+/// What keeps a mesh from being a part's, as a clause: "has a hole"; empty: nothing.
+std::string faultIn(const Mesh& mesh);
+/// With every number as a file keeps it.
+Mesh inSinglePrecision(Mesh mesh);
 
 struct Document {
   static constexpr int kVersion = 1;

@@ -46,7 +46,9 @@ EvaluatedPart Evaluation::evaluate(const std::shared_ptr<const PartSource>& sour
                                    const EvaluatedPart* before) {
   if (!before) return rebuild(source);
   if (source == before->source) return *before;
-  if (source->stroke != before->source->stroke) return rebuild(source);
+  if (source->stroke != before->source->stroke || source->mesh != before->source->mesh) {
+    return rebuild(source);
+  }
 
   EvaluatedPart next = *before;
   next.source = source;
@@ -56,6 +58,7 @@ EvaluatedPart Evaluation::evaluate(const std::shared_ptr<const PartSource>& sour
   next.skeleton_id = next_id_++;
   next.part = std::make_shared<const Part>(withThickness(*next.part, source->thickness, clock_));
   timings_.add(next.part->timings);
+  addTwin(next);
   return next;
 }
 
@@ -67,14 +70,22 @@ EvaluatedPart Evaluation::rebuild(const std::shared_ptr<const PartSource>& sourc
   next.skeleton_id = next_id_++;
   PartOptions options = options_;
   options.inflate.thickness = source->thickness;
-  auto part = buildPart(source->stroke, options, clock_);
+  auto part = source->mesh ? importPart(*source->mesh, source->stroke, options, clock_)
+                           : buildPart(source->stroke, options, clock_);
   if (part) {
     timings_.add(part->timings);
     next.part = std::make_shared<const Part>(std::move(*part));
+    addTwin(next);
   } else {
     next.error = part.error();
   }
   return next;
+}
+
+void Evaluation::addTwin(EvaluatedPart& evaluated) {
+  if (!evaluated.part->imported) return;
+  evaluated.twin = std::make_shared<const Part>(flipped(*evaluated.part));
+  evaluated.twin_mesh_id = next_id_++;
 }
 
 void Evaluation::updateRig(const Document& document, bool same_places) {
@@ -98,7 +109,7 @@ std::vector<RigPart> Evaluation::rigParts() const {
   parts.reserve(placed_.size());
   for (const PlacedPart& placed : placed_) {
     const EvaluatedPart& part = parts_[placed.source];
-    parts.push_back({&placed, part.source.get(), part.part.get()});
+    parts.push_back({&placed, part.source.get(), part.shapeOf(placed).get()});
   }
   return parts;
 }

@@ -19,8 +19,19 @@ struct EvaluatedPart {
   std::shared_ptr<const PartSource> source;
   std::shared_ptr<const Part> part;  // null when `error` says why
   Error error;
-  uint64_t mesh_id = 0;      // changes when the mesh does; never reused
+  std::shared_ptr<const Part> twin;  // in the mirror z = 0, where it is imported: a drawn one is
+                                     // the same there
+  uint64_t mesh_id = 0;  // changes when the mesh does; never reused
+  uint64_t twin_mesh_id = 0;
   uint64_t skeleton_id = 0;  // changes when joints or bones do; never reused
+
+  /// The shape of a placed part, and the number of its mesh.
+  const std::shared_ptr<const Part>& shapeOf(const PlacedPart& placed) const {
+    return placed.twin && twin ? twin : part;
+  }
+  uint64_t meshOf(const PlacedPart& placed) const {
+    return placed.twin && twin ? twin_mesh_id : mesh_id;
+  }
 };
 
 class Evaluation {
@@ -54,6 +65,7 @@ class Evaluation {
   EvaluatedPart evaluate(const std::shared_ptr<const PartSource>& source,
                          const EvaluatedPart* before);
   EvaluatedPart rebuild(const std::shared_ptr<const PartSource>& source);
+  void addTwin(EvaluatedPart& evaluated);
   void updateRig(const Document& document, bool same_places);
 
   PartOptions options_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/box.h"
 #include "base/text.h"
 
 namespace marrow {
@@ -42,6 +43,15 @@ bool isThin(const std::vector<Vec2>& stroke) {
     yy += d.y * d.y;
   }
   return !(xx * yy - xy * xy > kThinStroke * (xx + yy) * (xx + yy));
+}
+
+/// The mesh in the frame that a fit gives. Positive factors only: it stays outward.
+Mesh fitted(Mesh mesh, const FrameFit& fit) {
+  for (Vec3& p : mesh.positions) {
+    const Vec2 flat = fit(Vec2{p.x, p.y});
+    p = {flat.x, flat.y, p.z};
+  }
+  return inSinglePrecision(std::move(mesh));
 }
 
 Error flattened(const PartSource& part) {
@@ -85,6 +95,36 @@ std::optional<FrameFit> fitFrame(Vec3 origin, Vec3 x, Vec3 y) {
 bool isDrawable(const std::vector<Vec2>& stroke, const Frame& frame) {
   return std::all_of(stroke.begin(), stroke.end(),
                      [&](Vec2 p) { return isDrawable(p) && isDrawable(frame.toWorld(p)); });
+}
+
+bool isDrawable(const PartSource& part) {
+  if (!isDrawable(part.stroke, part.frame)) return false;
+  if (!part.mesh) return true;
+  Box3 box;
+  for (const Vec3 p : part.mesh->positions) box.include(p);
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p{corner & 1 ? box.low.x : box.high.x, corner & 2 ? box.low.y : box.high.y,
+                 (corner & 4 ? box.low.z : box.high.z) * kMaxThickness};
+    if (!isDrawable(p) || !isDrawable(part.frame.toWorld(p))) return false;
+  }
+  return true;
+}
+
+bool fitInFrame(PartSource& part) {
+  if (isSound(part.frame)) return true;
+  const auto fit = fitFrame(part.frame.origin, part.frame.x, part.frame.y);
+  if (!fit) return false;
+  part.frame = fit->frame;
+  for (Vec2& p : part.stroke) p = (*fit)(p);
+  if (part.mesh) part.mesh = std::make_shared<const Mesh>(fitted(*part.mesh, *fit));
+  return true;
+}
+
+Mesh flipped(const Mesh& mesh) {
+  Mesh other = mesh;
+  for (Vec3& p : other.positions) p.z = -p.z;
+  for (auto& triangle : other.triangles) std::swap(triangle[1], triangle[2]);
+  return other;
 }
 
 std::optional<Plane> normalised(const Plane& plane) {
@@ -134,9 +174,7 @@ Result<PartSource> mapped(const PartSource& part, const Affine& map) {
   PartSource next = part;
   if (isIdentity(map)) {
     next.frame.origin = part.frame.origin + map.move;
-    if (!isDrawable(next.frame.origin) || !isDrawable(next.stroke, next.frame)) {
-      return flattened(part);
-    }
+    if (!isDrawable(next.frame.origin) || !isDrawable(next)) return flattened(part);
     return next;
   }
   const auto fit =
@@ -147,11 +185,17 @@ Result<PartSource> mapped(const PartSource& part, const Affine& map) {
     for (Vec2& p : next.stroke) p = (*fit)(p);
     if (isThin(next.stroke)) return flattened(part);
   }
-  if (!isDrawable(next.stroke, next.frame)) return flattened(part);
+  if (next.mesh && !fit->even) {
+    next.mesh = std::make_shared<const Mesh>(fitted(*next.mesh, *fit));
+    if (!faultIn(*next.mesh).empty()) return flattened(part);
+  }
 
   const double before = part.frame.scale(), after = next.frame.scale();
   const Vec3 front = map.direction(part.frame.z() / before);
-  const double stretch = std::fabs(dot(front, next.frame.z())) / after;
+  const double towards = dot(front, next.frame.z());
+  if (next.mesh && towards < 0) next.mesh = std::make_shared<const Mesh>(flipped(*next.mesh));
+  if (!isDrawable(next)) return flattened(part);
+  const double stretch = std::fabs(towards) / after;
   const double factor = stretch * before / after;
   if (!(factor > kFlat) || !std::isfinite(factor)) return flattened(part);
   if (std::fabs(factor - 1) > kSameThickness) {

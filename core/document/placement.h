@@ -25,8 +25,16 @@ struct FrameFit {
 /// Nothing where the directions span no plane, or leave the drawable.
 std::optional<FrameFit> fitFrame(Vec3 origin, Vec3 x, Vec3 y);
 
+/// Makes the part's frame sound, and brings its stroke and mesh along; false where there is none.
+bool fitInFrame(PartSource& part);
+
 /// All points of the stroke are drawable, in its plane and in space.
 bool isDrawable(const std::vector<Vec2>& stroke, const Frame& frame);
+/// And those of its mesh, at any thickness.
+bool isDrawable(const PartSource& part);
+
+/// The mesh seen in the mirror z = 0.
+Mesh flipped(const Mesh& mesh);
 
 /// The plane with a unit normal; nothing where it is none or too far away. What it gives, it gives
 /// back unchanged.
@@ -40,7 +48,7 @@ std::optional<Plane> mapped(const Plane& plane, const Affine& map);
 
 /// Frame, stroke and thickness of the part after the map, which may mirror. A pure move changes the
 /// origin alone, a similarity the frame alone; what is stretched unevenly goes into the stroke and
-/// the thickness. Errors: noArea.
+/// the thickness; of an imported part it goes into the mesh. Errors: noArea.
 Result<PartSource> mapped(const PartSource& part, const Affine& map);
 
 }  // namespace marrow

@@ -1,6 +1,6 @@
 // Document ↔ JSON text:
 // {"format": "marrow", "version": 1,
-//  "parts": [{"id", "name", "stroke": {"points": [[x, y], …]},
+//  "parts": [{"id", "name", "stroke": {"points": [[x, y], …]}, "mesh": {"positions", "triangles"},
 //             "frame": {"origin": [x, y, z], "x": [x, y, z], "y": [x, y, z]}, "thickness",
 //             "mirror": null or {"plane": [nx, ny, nz, d]}, "skeleton", "color", "visible",
 //             "locked", "root", "refine": {…, "branches": {key: simplify}},

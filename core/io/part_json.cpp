@@ -1,8 +1,14 @@
 #include "io/part_json.h"
 
+#include <array>
+#include <cstring>
+#include <memory>
+#include <optional>
 #include <utility>
 
+#include "base/base64.h"
 #include "document/placement.h"
+#include "part/silhouette.h"
 
 namespace marrow {
 namespace {
@@ -20,9 +26,71 @@ Json withExtra(Json object, const Json& extra) {
   return object;
 }
 
-std::vector<Vec2> readStroke(ObjectReader& reader, Fault& fault) {
+/// The bytes of numbers, the lowest first, as Base64.
+template <typename T, typename Values>
+std::string packed(const Values& values) {
+  std::vector<uint8_t> bytes;
+  bytes.reserve(values.size() * 3 * sizeof(T));
+  const auto put = [&](T number) {
+    uint8_t raw[sizeof(T)];
+    std::memcpy(raw, &number, sizeof(T));
+    bytes.insert(bytes.end(), raw, raw + sizeof(T));
+  };
+  for (const auto& [a, b, c] : values) {
+    put(static_cast<T>(a));
+    put(static_cast<T>(b));
+    put(static_cast<T>(c));
+  }
+  return toBase64(bytes);
+}
+
+/// Triples of numbers; nothing where the text is something else, or says more than `most`.
+template <typename T>
+std::optional<std::vector<std::array<T, 3>>> unpacked(const std::string& text, size_t most) {
+  if (text.size() / 4 > most * sizeof(T)) return std::nullopt;
+  const auto bytes = fromBase64(text);
+  if (!bytes || bytes->size() % (3 * sizeof(T)) != 0) return std::nullopt;
+  std::vector<std::array<T, 3>> values(bytes->size() / (3 * sizeof(T)));
+  if (!values.empty()) std::memcpy(values.data(), bytes->data(), bytes->size());
+  return values;
+}
+
+Json meshToTree(const Mesh& mesh) {
+  Json tree = Json::object();
+  tree["positions"] = packed<float>(mesh.positions);
+  tree["triangles"] = packed<uint32_t>(mesh.triangles);
+  return tree;
+}
+
+/// Null where there is none, or a fault was said.
+std::shared_ptr<const Mesh> readMesh(ObjectReader& reader, Fault& fault) {
+  const Json* tree = reader.object("mesh");
+  if (!tree) return nullptr;
+  ObjectReader inner(*tree, reader.where("mesh"), fault);
+  // Every vertex of a closed surface has three triangles at least.
+  const auto positions = unpacked<float>(inner.text("positions"), PartSource::kMostTriangles);
+  const auto triangles = unpacked<uint32_t>(inner.text("triangles"), PartSource::kMostTriangles);
+  if (!positions) inner.say("positions", "is no Base64 of up to 100,000 triples of floats.");
+  if (!triangles) inner.say("triangles", "is no Base64 of up to 100,000 triples of indices.");
+  reader.keepInner("mesh", inner);
+  if (!positions || !triangles) return nullptr;
+  Mesh mesh;
+  mesh.triangles = *triangles;
+  for (const auto& [x, y, z] : *positions) mesh.positions.push_back({x, y, z});
+  const std::string wrong = faultIn(mesh);
+  if (!wrong.empty()) reader.say("mesh", wrong + ".");
+  return wrong.empty() ? std::make_shared<const Mesh>(std::move(mesh)) : nullptr;
+}
+
+std::vector<Vec2> readStroke(ObjectReader& reader, const Mesh* mesh, Fault& fault) {
   const Json* stroke = reader.object("stroke");
-  if (!reader.has("stroke")) reader.say("stroke", "is missing.");
+  if (!reader.has("stroke") && mesh) {
+    auto silhouette = silhouetteOf(*mesh);
+    if (silhouette) return std::move(*silhouette);
+    reader.say("mesh", "has no silhouette.");
+  } else if (!reader.has("stroke")) {
+    reader.say("stroke", "is missing.");
+  }
   if (!stroke) return {};
   ObjectReader inner(*stroke, reader.where("stroke"), fault);
   const Json* points = inner.value("points");
@@ -37,9 +105,9 @@ std::vector<Vec2> readStroke(ObjectReader& reader, Fault& fault) {
   return {};
 }
 
-/// Directions that are no frame's are made one, and the stroke is brought into it.
-Frame readFrame(ObjectReader& reader, std::vector<Vec2>& stroke, Fault& fault) {
-  Frame frame;
+/// Directions that are no frame's are made one, and the stroke and the mesh are brought into it.
+void readFrame(ObjectReader& reader, PartSource& part, Fault& fault) {
+  Frame& frame = part.frame;
   if (const Json* tree = reader.object("frame")) {
     ObjectReader inner(*tree, reader.where("frame"), fault);
     frame.origin = inner.vector("origin", frame.origin);
@@ -47,17 +115,12 @@ Frame readFrame(ObjectReader& reader, std::vector<Vec2>& stroke, Fault& fault) {
     frame.y = inner.vector("y", frame.y);
     reader.keepInner("frame", inner);
   }
-  if (!isSound(frame)) {
-    const auto fit = fitFrame(frame.origin, frame.x, frame.y);
-    if (!fit) {
-      reader.say("frame", "is no plane: x and y are zero or parallel.");
-      return {};
-    }
-    frame = fit->frame;
-    for (Vec2& p : stroke) p = (*fit)(p);
+  if (!fitInFrame(part)) {
+    reader.say("frame", "is no plane: x and y are zero or parallel.");
+    return;
   }
-  if (!isDrawable(stroke, frame)) reader.say("frame", "puts the stroke too far away.");
-  return frame;
+  if (!isDrawable(part)) reader.say("frame", "puts the stroke too far away.");
+  if (part.mesh && !faultIn(*part.mesh).empty()) reader.say("frame", "flattens the mesh.");
 }
 
 std::map<std::string, double> readBranches(ObjectReader& refine, Fault& fault) {
@@ -150,6 +213,8 @@ Json partToTree(const PartSource& part) {
   tree["id"] = part.id;
   tree["name"] = part.name;
   tree["stroke"] = withExtra(std::move(stroke), takeInner(extra, "stroke"));
+  const Json mesh_extra = takeInner(extra, "mesh");
+  if (part.mesh) tree["mesh"] = withExtra(meshToTree(*part.mesh), mesh_extra);
   tree["frame"] = withExtra(std::move(frame), takeInner(extra, "frame"));
   tree["thickness"] = marrow::toJson(part.thickness);
   tree["mirror"] = part.mirror ? planeToTree(*part.mirror, mirror_extra) : Json();
@@ -177,8 +242,9 @@ ReadPart readPart(const Json& tree, const std::string& where, Fault& fault) {
   if (part.id.empty() && reader.has("id")) reader.say("id", "is empty.");
   if (part.id.find(':') != std::string::npos) reader.say("id", "holds a colon.");
   part.name = reader.text("name");
-  part.stroke = readStroke(reader, fault);
-  part.frame = readFrame(reader, part.stroke, fault);
+  part.mesh = readMesh(reader, fault);
+  part.stroke = readStroke(reader, part.mesh.get(), fault);
+  readFrame(reader, part, fault);
   part.thickness = reader.number("thickness", kMinThickness, kMaxThickness).value_or(1);
   part.mirror = reader.plane("mirror");
   part.skeleton = reader.flag("skeleton", true);

@@ -1,6 +1,7 @@
 #include "part/part.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "skeleton/inside.h"
@@ -20,7 +21,23 @@ void setThickness(Part& part, double thickness) {
   }
 }
 
-void setProxy(Part& part) {
+/// Joints of an imported part and the samples they are chosen from.
+void setDepths(Part& part, double thickness) {
+  auto span = part.spans.begin();
+  for (auto& branch : part.skeleton.branches) {
+    const auto first = span;
+    for (BranchSample& sample : branch.samples) sample.depth = (span++)->middle() * thickness;
+    for (size_t k = 0; k < branch.joints.size(); ++k) {
+      const DepthSpan& own = *(first + static_cast<std::ptrdiff_t>(branch.at[k]));
+      auto& joint = part.skeleton.joints[branch.joints[k]];
+      joint.depth = own.middle() * thickness;
+      joint.radius = std::min(part.inscribed_radii[branch.joints[k]], own.half() * thickness);
+    }
+  }
+}
+
+void setProxy(Part& part, double thickness) {
+  if (part.imported) return setDepths(part, thickness);
   for (size_t i = 0; i < part.inscribed_radii.size(); ++i) {
     part.skeleton.joints[i].radius = part.inscribed_radii[i];
   }
@@ -28,28 +45,35 @@ void setProxy(Part& part) {
   for (size_t i = 0; i < radii.size(); ++i) part.skeleton.joints[i].radius = radii[i];
 }
 
-}  // namespace
-
-PartOptions previewOptions() {
-  PartOptions options;
-  options.triangulation.target_points = 300;
-  return options;
+/// The body at all samples of the branches; where a ray misses it, as at the sample before.
+std::vector<DepthSpan> spansOf(const PartSkeleton& skeleton, const Mesh& mesh) {
+  const DepthRays rays(mesh);
+  std::vector<DepthSpan> spans;
+  for (const auto& branch : skeleton.branches) {
+    const size_t first = spans.size();
+    std::vector<char> known;
+    for (const BranchSample& sample : branch.samples) {
+      const auto span = rays.at(sample.point);
+      known.push_back(span.has_value());
+      spans.push_back(span ? *span : spans.size() > first ? spans.back() : DepthSpan{});
+    }
+    const auto found = std::find(known.begin(), known.end(), 1);
+    if (found == known.end()) continue;
+    const auto count = found - known.begin();
+    const auto begin = spans.begin() + static_cast<std::ptrdiff_t>(first);
+    std::fill(begin, begin + count, *(begin + count));
+  }
+  return spans;
 }
 
-double Part::inscribedRadius() const {
-  const auto& times = straight_skeleton.times;
-  return times.empty() ? 0 : *std::max_element(times.begin(), times.end());
-}
-
-Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& options, Clock clock) {
-  Part part;
-  Stopwatch watch(clock, part.timings);
-
+/// Outline, straight skeleton, axis and joints. Nothing where all is well.
+std::optional<Error> makeSkeleton(const std::vector<Vec2>& stroke, const PartOptions& options,
+                                  Part& part, Stopwatch& watch) {
   OutlineOptions outlining = options.outline;
   for (int attempt = 1;; ++attempt) {
     auto outline = makeOutline(stroke, outlining);
     if (!outline) return outline.error();
-    if (outline->perimeter < kSmallestPerimeter) return Status::noArea;
+    if (outline->perimeter < kSmallestPerimeter) return Error{Status::noArea, {}};
     part.outline = std::move(*outline);
     watch.lap("outline");
 
@@ -77,6 +101,33 @@ Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& optio
   part.skeleton = std::move(*skeleton);
   for (const auto& joint : part.skeleton.joints) part.inscribed_radii.push_back(joint.radius);
   watch.lap("joints");
+  return std::nullopt;
+}
+
+void makeLevels(Part& part, const PartOptions& options) {
+  for (auto& branch : part.skeleton.branches) {
+    completeLevels(branch, part.outline.polygon, part.outline.scale(), options.joints,
+                   &part.outline.dense);
+  }
+}
+
+}  // namespace
+
+PartOptions previewOptions() {
+  PartOptions options;
+  options.triangulation.target_points = 300;
+  return options;
+}
+
+double Part::inscribedRadius() const {
+  const auto& times = straight_skeleton.times;
+  return times.empty() ? 0 : *std::max_element(times.begin(), times.end());
+}
+
+Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& options, Clock clock) {
+  Part part;
+  Stopwatch watch(clock, part.timings);
+  if (auto error = makeSkeleton(stroke, options, part, watch)) return *error;
 
   auto flat = triangulate(part.outline.dense, options.triangulation);
   if (!flat) return flat.error();
@@ -95,15 +146,51 @@ Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& optio
   part.normals = vertexNormals(part.mesh);
   watch.lap("normals");
 
-  setProxy(part);
+  setProxy(part, options.inflate.thickness);
   watch.lap("proxy");
 
-  for (auto& branch : part.skeleton.branches) {
-    completeLevels(branch, part.outline.polygon, part.outline.scale(), options.joints,
-                   &part.outline.dense);
-  }
+  makeLevels(part, options);
   watch.lap("levels");
   return part;
+}
+
+Result<Part> importPart(const Mesh& mesh, const std::vector<Vec2>& silhouette,
+                        const PartOptions& options, Clock clock) {
+  Part part;
+  Stopwatch watch(clock, part.timings);
+  if (auto error = makeSkeleton(silhouette, options, part, watch)) return *error;
+  part.imported = true;
+  part.mesh = mesh;
+  for (Vec3 position : mesh.positions) part.depths.push_back(position.z);
+  part.relief = Relief(mesh, part.depths, /*even=*/false);
+  setThickness(part, options.inflate.thickness);
+  watch.lap("inflation");
+
+  part.normals = vertexNormals(part.mesh);
+  watch.lap("normals");
+
+  makeLevels(part, options);
+  watch.lap("levels");
+
+  part.spans = spansOf(part.skeleton, mesh);
+  setProxy(part, options.inflate.thickness);
+  watch.lap("proxy");
+  return part;
+}
+
+Part flipped(const Part& part) {
+  Part other = part;
+  for (Vec3& position : other.mesh.positions) position.z = -position.z;
+  for (auto& triangle : other.mesh.triangles) std::swap(triangle[1], triangle[2]);
+  for (Vec3& normal : other.normals) normal.z = -normal.z;
+  for (double& depth : other.depths) depth = -depth;
+  for (DepthSpan& span : other.spans) span = {-span.high, -span.low};
+  for (auto& joint : other.skeleton.joints) joint.depth = -joint.depth;
+  for (auto& branch : other.skeleton.branches) {
+    for (BranchSample& sample : branch.samples) sample.depth = -sample.depth;
+  }
+  other.relief = part.relief.flipped();
+  return other;
 }
 
 Part withThickness(const Part& part, double thickness, Clock clock) {
@@ -114,7 +201,7 @@ Part withThickness(const Part& part, double thickness, Clock clock) {
   watch.lap("inflation");
   next.normals = vertexNormals(next.mesh);
   watch.lap("normals");
-  setProxy(next);
+  setProxy(next, thickness);
   watch.lap("proxy");
   next.timings = std::move(timings);
   return next;

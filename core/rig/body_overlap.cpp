@@ -19,10 +19,12 @@ class Body {
   bool contains(Vec3 world) const {
     const Vec3 d = world - frame_.origin;
     const double square = dot(frame_.x, frame_.x);
-    const double z = std::fabs(dot(z_, d)) / square;
-    if (!(z < part_.relief.highest() * thickness_)) return false;
+    const double z = dot(z_, d) / square;
+    if (!(z < part_.relief.highest() * thickness_ && z > part_.relief.lowest() * thickness_)) {
+      return false;
+    }
     const Vec2 p{dot(frame_.x, d) / square, dot(frame_.y, d) / square};
-    return z < part_.relief.heightAt(p) * thickness_;
+    return z < part_.relief.heightAt(p) * thickness_ && z > part_.relief.depthAt(p) * thickness_;
   }
 
   /// Calls visit with some points of the body in space.
@@ -39,7 +41,7 @@ class Body {
     for (size_t k = 0; k < kSurfacePoints; ++k) {
       visit(place(positions[k * positions.size() / kSurfacePoints]));
     }
-    for (const auto& joint : part_.skeleton.joints) visit(frame_.toWorld(joint.position));
+    for (const auto& joint : part_.skeleton.joints) visit(place(joint.place()));
   }
 
  private:

@@ -24,11 +24,12 @@ constexpr double kParallel = 1e-5;
 Box3 bodyBox(const RigPart& part) {
   Box3 box;
   const Relief& relief = part.part->relief;
-  const double height = relief.highest() * part.source->thickness;
+  const double high = relief.highest() * part.source->thickness;
+  const double low = relief.lowest() * part.source->thickness;
   for (int corner = 0; corner < 8; ++corner) {
     box.include(part.placed->frame.toWorld(Vec3{corner & 1 ? relief.high().x : relief.low().x,
                                                 corner & 2 ? relief.high().y : relief.low().y,
-                                                corner & 4 ? height : -height}));
+                                                corner & 4 ? high : low}));
   }
   return box;
 }
@@ -59,7 +60,7 @@ Proxy proxyOf(const RigPart& part) {
   proxy.points.reserve(joints.size());
   proxy.radii.reserve(joints.size());
   for (const auto& joint : joints) {
-    const Vec3 p = frame.toWorld(joint.position);
+    const Vec3 p = frame.toWorld(joint.place());
     const double r = joint.radius * scale;
     proxy.points.push_back(p);
     proxy.radii.push_back(r);

@@ -59,9 +59,9 @@ class Refining {
   struct Thresholds {
     double merge, prune, collapse;  // world
   };
-  /// A place in the part's plane with its ball.
+  /// A place in the part with its ball.
   struct Ball {
-    Vec2 point;
+    Vec3 point;
     double radius;  // of the plane
   };
   /// What may become a joint on a way, between its ends.
@@ -274,7 +274,7 @@ class Refining {
       takeIn(joint_of_[node], at.part, ballOn(at.part, at.branch, at.u));
     } else {
       const auto& joint = joined_.parts[at.part].skeleton->joints[at.joint];
-      takeIn(joint_of_[node], at.part, {joint.position, joint.radius});
+      takeIn(joint_of_[node], at.part, {joint.place(), joint.radius});
     }
   }
   void takeIn(int32_t joint, uint32_t part, const Ball& ball) {
@@ -298,7 +298,8 @@ class Refining {
     const auto& shape = skeleton.branches[branch];
     const auto next = std::lower_bound(shape.at.begin(), shape.at.end(), sample);
     const size_t k = static_cast<size_t>(next - shape.at.begin());
-    const Vec2 point = shape.samples[sample].point;
+    const BranchSample& own = shape.samples[sample];
+    const Vec3 point{own.point.x, own.point.y, own.depth};
     if (*next == sample) return {point, skeleton.joints[shape.joints[k]].radius};
     const auto ratio = [&](size_t joint) {
       const double inscribed = shape.samples[shape.at[joint]].radius;
@@ -307,7 +308,7 @@ class Refining {
     const double t = (sample - static_cast<double>(shape.at[k - 1])) /
                      (static_cast<double>(shape.at[k]) - shape.at[k - 1]);
     const double from = ratio(k - 1);
-    return {point, shape.samples[sample].radius * (from + (ratio(k) - from) * t)};
+    return {point, own.radius * (from + (ratio(k) - from) * t)};
   }
 
   /// On the bone between two samples that are joints.

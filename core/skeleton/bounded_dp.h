@@ -19,6 +19,7 @@ struct BranchSample {
   double left = 0;    // from the point to the border, along the normal
   double right = 0;   // and against it
   double radius = 0;  // inscribed
+  double depth = 0;   // z of the axis there; other than 0 in imported parts alone
 };
 
 /// Samples of a branch at even distances of about `step`, first and last point included.

@@ -31,6 +31,9 @@ struct PartSkeleton {
     JointKind kind;
     Vec2 position;
     double radius;  // of the ball there, model units; the inscribed radius until the proxy sets it
+    double depth = 0;  // z; other than 0 in imported parts alone
+
+    Vec3 place() const { return {position.x, position.y, depth}; }
   };
   /// The way from one terminal or junction to the next, and what it can be simplified to.
   struct Branch {

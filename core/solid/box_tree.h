@@ -45,8 +45,13 @@ class BoxTree {
   /// Calls visit(i, j) once for each two boxes of this tree that meet, i < j.
   template <typename Visit>
   void pairs(const Visit& visit) const {
+    pairsWhile([] { return true; }, visit);
+  }
+  /// The same, until goes_on() is false; asked every now and then.
+  template <typename GoesOn, typename Visit>
+  void pairsWhile(const GoesOn& goes_on, const Visit& visit) const {
     std::vector<std::pair<uint32_t, uint32_t>> stack = {{1, 1}};
-    while (!stack.empty()) {
+    while (!stack.empty() && goes_on()) {
       const auto [a, b] = stack.back();
       stack.pop_back();
       if (!nodes_[a].meets(nodes_[b])) continue;

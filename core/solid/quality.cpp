@@ -69,6 +69,20 @@ class IntersectionCounter {
     return count;
   }
 
+  bool any() const {
+    constexpr size_t kMostNear = 200;
+    std::vector<uint32_t> all(mesh_.triangles.size());
+    for (uint32_t t = 0; t < all.size(); ++t) all[t] = t;
+    size_t left = kMostNear * all.size();
+    bool found = false;
+    treeOf(all).pairsWhile([&] { return !found && left > 0; },
+                           [&](uint32_t t, uint32_t u) {
+                             left -= left > 0 ? 1 : 0;
+                             found = found || cross(t, u);
+                           });
+    return found || left == 0;
+  }
+
   std::vector<std::pair<uint32_t, uint32_t>> run(const std::vector<char>& marked) const {
     std::vector<uint32_t> chosen, others;
     Box3 near;
@@ -231,6 +245,10 @@ double signedVolume(const Mesh& mesh) {
 }
 
 size_t countSelfIntersections(const Mesh& mesh) { return IntersectionCounter(mesh).run(); }
+
+bool hasSelfIntersection(const Mesh& mesh) {
+  return !mesh.triangles.empty() && IntersectionCounter(mesh).any();
+}
 
 std::vector<std::pair<uint32_t, uint32_t>> selfIntersections(const Mesh& mesh,
                                                              const std::vector<char>& marked) {

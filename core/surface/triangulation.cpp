@@ -14,6 +14,9 @@ namespace {
 constexpr double kRowHeight = 0.8660254037844386;  // of a lattice of equilateral triangles
 constexpr double kFirstRing = 0.35;   // depth of the first ring of points along the border, where
 constexpr double kSecondRing = 1.05;  // the inflated surface rises steeply; of the second
+constexpr double kRingApart = 0.4;    // of the first ring's points under border vertices
+constexpr double kRingGap = 1.2;      // in the first ring, above: another point
+constexpr double kRingOpen = 2;       // in the first ring, above: spikes, where it has ends
 constexpr double kThin = 2.4;         // half widths below get a row of points along their middle
 constexpr double kRinged = 1.3;       // half widths below get no second ring
 constexpr double kClearance = 0.7;    // of lattice points from all others
@@ -215,19 +218,38 @@ double Filling::halfWidthAt(uint32_t vertex, Vec2 inward) {
   return radius;
 }
 
+/// Where the ring has a gap, triangles reach from the border to what lies behind it: a dent. So
+/// points go under all border vertices that are not too near to each other, then into the middle of
+/// gaps, be they from a vertex without a point or a long edge.
 void Filling::addFirstRing(Grid& grid) {
+  struct RingPoint {
+    Vec2 at;
+    double depth;
+    uint32_t vertex;
+  };
+  std::vector<RingPoint> ring;
   const int32_t first = grid.size();
+  const auto add = [&](const RingPoint& point, double apart) {
+    if (!grid.isClear(point.at, 0.9 * point.depth * spacing_, first, apart * spacing_) ||
+        mesh_.insert(point.at, triangleAt(point.vertex)) == ConstrainedDelaunay::kNone) {
+      return false;
+    }
+    grid.add(point.at);
+    return true;
+  };
   for (uint32_t k = 0; k < border_.size(); ++k) {
     const double width = half_widths_[k];
     const double narrow = std::min(1.0, std::max(0.0, 4 - 3 * width / kRinged));
     const double depth = std::min(kFirstRing, width * (kTwelfth + (kEighth - kTwelfth) * narrow));
     if (!(depth > 0)) continue;
-    const Vec2 point = border_[k] + inward_[k] * (depth * spacing_);
-    if (!grid.isClear(point, 0.9 * depth * spacing_, first, std::min(0.55, width) * spacing_) ||
-        mesh_.insert(point, triangleAt(k)) == ConstrainedDelaunay::kNone) {
-      continue;
-    }
-    grid.add(point);
+    const RingPoint point = {border_[k] + inward_[k] * (depth * spacing_), depth, k};
+    if (add(point, std::min(kRingApart, width))) ring.push_back(point);
+  }
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const RingPoint &a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
+    const double gap = distance(a.at, b.at) / spacing_;
+    if (!(gap > kRingGap && gap < kRingOpen)) continue;
+    add({(a.at + b.at) * 0.5, std::min(a.depth, b.depth), a.vertex}, 0.5 * kRingGap);
   }
 }
 

@@ -242,8 +242,7 @@ const largestOf = (rows, of) => rows.reduce((a, b) => (of(b) > of(a) ? b : a));
 function modelTable(figures) {
   const cells = (bench, of) => figures.all(bench, {target: 'native'}).flatMap((row) => {
     const wasm = figures.all(bench, {target: 'wasm'})
-        .find(({ms, target, ...what}) => Object.entries(what)
-            .every(([key, value]) => row[key] === value));
+        .find((other) => other.solids === row.solids && other.creature === row.creature);
     return Object.keys(row.ms).map((name) => [of(row, name),
       ...[row, wasm].flatMap((one) => [least(one?.ms[name]), one?.ms[name][1]]).map(number)]);
   });

@@ -9,7 +9,7 @@ import {apart, glidden, joint, openPosing, poses, posing, pull, ready} from './p
 test('a limb follows the joint that is pulled, the others stay, and undo brings it back',
      async (app) => {
   await openPosing(app, 'dog');
-  const paw = 'Front leg.R.6', other = 'Hind leg.L.8';
+  const paw = 'Front leg.L.6', other = 'Hind leg.L.8';  // those in front
   const before = {paw: await joint(app, paw), other: await joint(app, other)};
   const [x, y] = [before.paw.pixel[0] + 90, before.paw.pixel[1] - 60];
   const skinThere = async () =>
@@ -44,7 +44,7 @@ test('a limb follows the joint that is pulled, the others stay, and undo brings 
 
 test('a limb is pulled by its skin too, and beside the character the view turns', async (app) => {
   await openPosing(app, 'dog');
-  const [ax, ay] = (await joint(app, 'Hind leg.R.6')).pixel, [bx, by] = (await joint(app, 'Hind leg.R.8')).pixel;
+  const [ax, ay] = (await joint(app, 'Hind leg.L.6')).pixel, [bx, by] = (await joint(app, 'Hind leg.L.8')).pixel;
   const grip = [ax * 0.2 + bx * 0.8 + 6, ay * 0.2 + by * 0.8];
   await app.drag(grip, [grip[0] - 60, grip[1] - 20]);
   assert.equal((await poses(app)).length, 1);
@@ -74,13 +74,13 @@ test('what is pinned stays, and what hangs behind it follows', async (app) => {
 test('R turns the chosen bone by a number, T makes drags turn, G moves the whole character',
      async (app) => {
   await openPosing(app, 'dog');
-  const hip = await joint(app, 'Front leg.R.4'), paw = await joint(app, 'Front leg.R.6');
+  const hip = await joint(app, 'Front leg.L.4'), paw = await joint(app, 'Front leg.L.6');
   const length = apart(hip.position, paw.position);
   await app.click(...paw.pixel);
   await app.key('r');
   for (const key of '90') await app.key(key);
   await app.key('Enter');
-  const turned = await joint(app, 'Front leg.R.6');
+  const turned = await joint(app, 'Front leg.L.6');
   const cosine = [0, 1, 2].reduce((sum, k) => sum + (paw.position[k] - hip.position[k]) *
       (turned.position[k] - hip.position[k]), 0) / length ** 2;
   // About the line of sight: what lies along it stays.
@@ -90,7 +90,7 @@ test('R turns the chosen bone by a number, T makes drags turn, G moves the whole
   await app.key('t');
   const [x, y] = turned.pixel;
   await app.drag([x, y], [x - 30, y + 50]);
-  assert.ok(apart((await joint(app, 'Front leg.R.4')).position, hip.position) < 1e-6);
+  assert.ok(apart((await joint(app, 'Front leg.L.4')).position, hip.position) < 1e-6);
   await app.key('t');
 
   const root = (await posing(app)).joints[0], tail = await joint(app, 'Tail.7');
@@ -106,8 +106,8 @@ test('R turns the chosen bone by a number, T makes drags turn, G moves the whole
 
 test('poses have names, are mirrored, mixed and put back', async (app) => {
   await openPosing(app, 'dog');
-  await pull(app, 'Front leg.R.6', [60, -40]);
-  const right = await joint(app, 'Front leg.R.6');
+  await pull(app, 'Front leg.L.6', [60, -40]);
+  const right = await joint(app, 'Front leg.L.6');
   await app.press('pose', 'name');
   await app.page.keyboard.press('Control+a');
   await app.page.keyboard.type('Give paw');
@@ -117,19 +117,19 @@ test('poses have names, are mirrored, mixed and put back', async (app) => {
 
   await app.press('pose', 'mirror');
   await glidden(app);
-  const left = await joint(app, 'Front leg.L.6');
+  const left = await joint(app, 'Front leg.R.6');
   assert.ok(Math.abs(left.position[0] - right.position[0]) < 1e-6, 'the other paw');
   assert.ok(Math.abs(left.position[2] + right.position[2]) < 1e-6);
 
   await app.press('pose', 'new');
   await app.press('pose', 'resetAll');
   await glidden(app);
-  const rest = await joint(app, 'Front leg.L.6');
+  const rest = await joint(app, 'Front leg.R.6');
   const slider = await app.widget('pose', 'mix');
   // With "Give paw", behind the rest among the others.
   await app.press('pose', 'other');
   await app.drag([slider.x - slider.width / 2 + 8, slider.y], [slider.x, slider.y]);
-  const between = await joint(app, 'Front leg.L.6');
+  const between = await joint(app, 'Front leg.R.6');
   const way = apart(rest.position, left.position);
   assert.ok(apart(rest.position, between.position) > 0.2 * way, 'half way');
   assert.ok(apart(left.position, between.position) > 0.2 * way);
@@ -137,12 +137,12 @@ test('poses have names, are mirrored, mixed and put back', async (app) => {
   await app.press('pose', 'keepMix');
   await glidden(app);
   assert.equal((await poses(app)).length, 3);
-  assert.ok(apart((await joint(app, 'Front leg.L.6')).position, between.position) < 1e-6);
+  assert.ok(apart((await joint(app, 'Front leg.R.6')).position, between.position) < 1e-6);
 
   await app.press('pose', 'rest');
   await glidden(app);
   assert.equal((await posing(app)).pose, null);
-  assert.ok(apart((await joint(app, 'Front leg.L.6')).position, rest.position) < 1e-6);
+  assert.ok(apart((await joint(app, 'Front leg.R.6')).position, rest.position) < 1e-6);
   for (let i = 0; i < 3; ++i) await app.press('pose', 'delete');
   assert.equal((await poses(app)).length, 0);
   await app.key('Control+z');
@@ -151,10 +151,10 @@ test('poses have names, are mirrored, mixed and put back', async (app) => {
 
 test('a pose keeps what still applies when the skeleton is refined', async (app) => {
   await openPosing(app, 'dog');
-  await pull(app, 'Front leg.R.6', [60, -40]);
+  await pull(app, 'Front leg.L.6', [60, -40]);
   const [pose] = await poses(app);
   const before = (await posing(app)).joints.length;
-  await app.page.evaluate(() => marrow.load({...marrow.document(), refine: {simplify: 0.2}}));
+  await app.page.evaluate(() => marrow.load({...marrow.document(), refine: {simplify: 60}}));
   await app.frames(2);
   await ready(app);
   const now = await posing(app);
@@ -171,8 +171,8 @@ test('the skin is fitted again by itself, and the newest drawing wins', async (a
   assert.equal((await app.stats()).tool, 'draw', 'there is nothing to pose yet');
   await app.page.evaluate((json) => marrow.load(json), await text('dragon'));
   await app.frames(2);
-  await app.key('p');
-  await app.until(() => marrow.stats().posing.done >= 0);
+  await app.page.keyboard.press('p');
+  await app.until(() => marrow.stats().posing.made === 1);
   await app.page.evaluate((json) => marrow.load(json), await text('bear'));
   await app.until(() => marrow.stats().posing.ready);
   const {joints, made, figure} = await posing(app);
@@ -184,7 +184,7 @@ test('the skin is fitted again by itself, and the newest drawing wins', async (a
 
 test('the weights are shown, of all bones or of the chosen one', async (app) => {
   await openPosing(app, 'dog');
-  const [x, y] = (await joint(app, 'Front leg.R.6')).pixel;
+  const [x, y] = (await joint(app, 'Front leg.L.6')).pixel;
   const at = async () => (await app.pixels()).at(x + 12, y);
   const plain = await at();
   await app.key('w');
@@ -203,11 +203,43 @@ test('the weights are shown, of all bones or of the chosen one', async (app) => 
   assert.deepEqual(await at(), plain);
 });
 
+test('a brush gives a bone more of the skin, is undone, and its paint can be cleared', async (app) => {
+  await openPosing(app, 'dog');
+  await app.click(...(await joint(app, 'Tail.7')).pixel);
+  await app.key('w');
+  await app.key('w');
+  const [x, y] = (await joint(app, 'Tail.4')).pixel;
+  const at = async () => (await app.pixels()).at(x + 7, y);
+  const cold = await at();
+  await app.press('pose', 'add');
+  const strokes = () => app.page.evaluate(() => (marrow.document().weightStrokes ?? []).length);
+  await app.drag([x - 5, y - 5], [x + 8, y + 8], {
+    async before() { await app.until(() => marrow.stats().posing.made > 1); },
+  });
+  assert.equal(await strokes(), 1);
+  assert.equal((await poses(app)).length, 0, 'the brush pulls nothing');
+  await ready(app);
+  await app.settled();
+  const hot = await at();
+  assert.ok(hot[0] > cold[0] + 60, `${cold} became ${hot}`);
+  await app.screenshot('brushed');
+  await app.key('Control+z');
+  await ready(app);
+  await app.settled();
+  assert.deepEqual(await at(), cold);
+  await app.key('Control+y');
+  await app.press('pose', 'clearPaint');
+  assert.equal(await strokes(), 0);
+  await ready(app);
+  await app.settled();
+  assert.deepEqual(await at(), cold);
+});
+
 test('fingers pose as well: one pulls, beside the character one turns the view, two pinch',
      {width: 800, height: 600, touch: true}, async (app) => {
   await openPosing(app, 'dog');
   const way = ([x, y], [dx, dy]) => Array.from({length: 12}, (_, i) => [x + dx * i / 11, y + dy * i / 11]);
-  const {pixel} = await joint(app, 'Front leg.R.6');
+  const {pixel} = await joint(app, 'Front leg.L.6');
   await app.touch([way(pixel, [30, -30])]);
   assert.equal((await poses(app)).length, 1);
   const before = (await app.stats()).camera;

@@ -401,6 +401,17 @@ export function rigClaims({claim, run, write, inFolder, checkRefused}) {
     assert.ok(fine > 20, 'some are still documents');
   });
 
+  claim('a GLB that it wrote is read like the document it was made of', () => {
+    const file = write('creature.json', creature());
+    assert.equal(run('rig', file, '--glb', 'one.glb', '--json', 'one.json').status, 0);
+    assert.equal(run('rig', 'one.glb', '--glb', 'two.glb', '--json', 'two.json').status, 0);
+    const [one, two] = ['one.json', 'two.json'].map((name) => JSON.parse(read(name)));
+    assert.deepEqual(two.joints, one.joints);
+    const done = run('rig', write('other.glb', 'glTF\x02\0\0\0'), '--json', 'x.json');
+    assert.equal(done.status, 2);
+    assert.match(done.stderr, /^marrow: other\.glb: [^\n]+\n$/);
+  });
+
   claim('every sample is one sound character', () => {
     const files = fs.existsSync(samples)
         ? fs.readdirSync(samples).filter((name) => name.endsWith('.json')).sort() : [];

@@ -50,6 +50,16 @@ const tests = {
     assert.equal(fs.readFileSync(again, 'utf8'),
                  fs.readFileSync(out, 'utf8').replace('"title":"ring"', '"title":"out"'));
   },
+  'a 3D model is imported'() {
+    const file = write('tetra.obj', 'v 0 0 0\nv 9 0 0\nv 0 9 0\nv 2 2 7\n' +
+        'f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n');
+    const out = at('tetra.json');
+    const done = run(file, '--save', out);
+    assert.equal(done.status, 0, done.stderr);
+    const [part] = JSON.parse(fs.readFileSync(out, 'utf8')).parts;
+    assert.equal(part.name, 'tetra');
+    assert.equal(Buffer.from(part.mesh.triangles, 'base64').length, 48);
+  },
   'what cannot be opened is said in one line'() {
     for (const [name, text] of Object.entries({
       'empty.json': '', 'half.json': '{"format": "marrow"', 'newer.json':

@@ -108,9 +108,9 @@ Document withoutRefinement(Document document) {
 }  // namespace
 
 TEST_CASE("samples: ten creatures or more, each with a title of its own", "[samples]") {
-  REQUIRE(samples().size() >= 10);
+  REQUIRE(sampleFiles().size() >= 10);
   std::set<std::string> titles;
-  for (const Sample& sample : samples()) {
+  for (const SampleFile& sample : sampleFiles()) {
     CAPTURE(sample.name);
     REQUIRE(sample.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") ==
             std::string::npos);
@@ -123,7 +123,7 @@ TEST_CASE("samples: ten creatures or more, each with a title of its own", "[samp
 }
 
 TEST_CASE("samples: what is read and written again has all that the file has", "[samples]") {
-  for (const Sample& sample : samples()) {
+  for (const SampleFile& sample : sampleFiles()) {
     CAPTURE(sample.name);
     auto written = parseJson(writeDocument(sample.document));
     REQUIRE(written);
@@ -134,7 +134,7 @@ TEST_CASE("samples: what is read and written again has all that the file has", "
 }
 
 TEST_CASE("samples: a few well named parts of light strokes, quick to load", "[samples]") {
-  for (const Sample& sample : samples()) {
+  for (const SampleFile& sample : sampleFiles()) {
     CAPTURE(sample.name);
     REQUIRE(sample.text.size() <= 25'000);
     REQUIRE(sample.document.parts.size() >= 5);
@@ -152,7 +152,7 @@ TEST_CASE("samples: a few well named parts of light strokes, quick to load", "[s
 }
 
 TEST_CASE("samples: every stroke makes a shape and none crosses itself", "[samples]") {
-  for (const Sample& sample : samples()) {
+  for (const SampleFile& sample : sampleFiles()) {
     Evaluation evaluation;
     evaluation.update(sample.document);
     for (const EvaluatedPart& part : evaluation.parts()) {
@@ -164,7 +164,7 @@ TEST_CASE("samples: every stroke makes a shape and none crosses itself", "[sampl
 }
 
 TEST_CASE("samples: all bones make one tree by themselves, and all else hangs on it", "[samples]") {
-  for (const Sample& sample : samples()) {
+  for (const SampleFile& sample : sampleFiles()) {
     for (const auto& part : sample.document.parts) {
       CAPTURE(sample.name, part->name);
       REQUIRE_FALSE((part->skeleton && part->attachment));
@@ -195,7 +195,7 @@ TEST_CASE("samples: all bones make one tree by themselves, and all else hangs on
 }
 
 TEST_CASE("samples: nothing floats, all solids are one heap", "[samples]") {
-  for (const Sample& sample : samples()) {
+  for (const SampleFile& sample : sampleFiles()) {
     Evaluation evaluation;
     evaluation.update(sample.document);
     const std::vector<Solid> solids = solidsOf(evaluation);
@@ -218,7 +218,7 @@ TEST_CASE("samples: nothing floats, all solids are one heap", "[samples]") {
 }
 
 TEST_CASE("samples: twins have the same bones, seen in the mirror", "[samples]") {
-  for (const Sample& sample : samples()) {
+  for (const SampleFile& sample : sampleFiles()) {
     Evaluation evaluation;
     evaluation.update(sample.document);
     std::vector<std::vector<Vec3>> joints(evaluation.placed().size());
@@ -242,7 +242,7 @@ TEST_CASE("samples: twins have the same bones, seen in the mirror", "[samples]")
 
 TEST_CASE("samples: of a size to work with, standing on the ground, round from every side",
           "[samples]") {
-  for (const Sample& sample : samples()) {
+  for (const SampleFile& sample : sampleFiles()) {
     CAPTURE(sample.name);
     Evaluation evaluation;
     evaluation.update(sample.document);

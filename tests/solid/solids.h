@@ -168,11 +168,15 @@ inline size_t visibleCrossings(const Mesh& mesh) {
       const Vec3 start = mesh.positions[a], way = mesh.positions[b] - start;
       const Vec3 side = cross(way, v);
       const double det = dot(u, side);
-      if (std::fabs(det) < 1e-9 * length(u) * length(v) * length(way)) continue;
       const Vec3 back = start - o;
+      // Where what rounding does to the point could take it across the margin, nothing is said.
+      constexpr double kMargin = 1e-4, kRounding = 1e-15;
+      const double far = std::max({length(back), length(u), length(v), length(way)});
+      const double products =
+          std::max({length(way) * length(u), length(way) * length(v), length(u) * length(v)});
+      if (!(std::fabs(det) * kMargin > kRounding * far * products)) continue;
       const double s = dot(back, side) / det, t = dot(way, cross(back, u)) / det,
                    along = dot(v, cross(back, u)) / det;
-      constexpr double kMargin = 1e-4;
       if (s > kMargin && t > kMargin && s + t < 1 - kMargin && along > kMargin &&
           along < 1 - kMargin) {
         return true;

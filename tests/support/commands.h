@@ -53,7 +53,7 @@ class AnyCommand {
   AnyCommand(Numbers& numbers, const Document& document) : numbers_(numbers), document_(document) {}
 
   Command operator()() {
-    switch (numbers_.below(26)) {
+    switch (numbers_.below(27)) {
       case 0:
         return AddPart{stroke(), frame(), chance(3) ? std::optional<Plane>(plane()) : std::nullopt};
       case 1:
@@ -104,6 +104,8 @@ class AnyCommand {
         return ClearWeightStrokes{chance(3) ? std::string() : jointId()};
       case 24:
         return SetBlend{numbers_.number()};
+      case 25:
+        return ImportPart{mesh(), name(), frame()};
       default:
         return chance(20) ? Command(ReplaceDocument{{}, "New drawing"})
                           : Command(TransformParts{ids(), numbers_.map(), "Turn"});
@@ -121,6 +123,18 @@ class AnyCommand {
     std::vector<Vec2> points;
     for (int count = numbers_.below(12); count > 0; --count) points.push_back(point());
     return points;
+  }
+  /// A block with a corner that is pulled out, so that no two of its sides are alike.
+  std::shared_ptr<const Mesh> mesh() {
+    Mesh block;
+    const Vec3 size = chance(2) ? Vec3{50, 30, 20} : vector();
+    for (int i = 0; i < 8; ++i) {
+      block.positions.push_back({i & 1 ? size.x : 0, i & 2 ? size.y : 0, i & 4 ? size.z : 0});
+    }
+    block.positions[7] = block.positions[7] * 1.5;
+    block.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                       {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    return std::make_shared<const Mesh>(std::move(block));
   }
   std::string id() {
     if (document_.parts.empty() || chance(12)) return partId(1);

@@ -14,7 +14,7 @@
 
 namespace marrow {
 
-struct Sample {
+struct SampleFile {
   std::string name;  // of the file
   std::string text;
   Json tree;
@@ -22,13 +22,13 @@ struct Sample {
 };
 
 /// By name; read once.
-inline const std::vector<Sample>& samples() {
-  static const std::vector<Sample> all = [] {
-    std::vector<Sample> found;
+inline const std::vector<SampleFile>& sampleFiles() {
+  static const std::vector<SampleFile> all = [] {
+    std::vector<SampleFile> found;
     const std::string folder = MARROW_TEST_DATA_DIR "/../../public/samples";
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       if (entry.path().extension() != ".json") continue;
-      Sample sample;
+      SampleFile sample;
       sample.name = entry.path().stem().string();
       std::ifstream file(entry.path(), std::ios::binary);
       sample.text.assign(std::istreambuf_iterator<char>(file), {});
@@ -38,7 +38,7 @@ inline const std::vector<Sample>& samples() {
       found.push_back(std::move(sample));
     }
     std::sort(found.begin(), found.end(),
-              [](const Sample& a, const Sample& b) { return a.name < b.name; });
+              [](const SampleFile& a, const SampleFile& b) { return a.name < b.name; });
     return found;
   }();
   return all;

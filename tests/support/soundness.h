@@ -31,7 +31,8 @@ inline std::string faultOf(const PartSource& part) {
   if (part.id.empty() || part.id.find(':') != std::string::npos) return "id";
   if (part.name.empty()) return "name";
   if (!isSound(part.frame)) return "frame";
-  if (!isDrawable(part.stroke, part.frame)) return "stroke";
+  if (!isDrawable(part)) return "stroke";
+  if (part.mesh && !faultIn(*part.mesh).empty()) return "mesh " + faultIn(*part.mesh);
   if (!(part.thickness >= kMinThickness && part.thickness <= kMaxThickness)) return "thickness";
   if (part.mirror && !isUnit(*part.mirror)) return "mirror";
   if (!areThresholds(part.refine)) return "refine";

@@ -78,6 +78,43 @@ void checkSound(const std::string& name, const std::vector<Vec2>& outline, int t
   }
 }
 
+/// An ellipse as a pen draws it, with samples about `step` apart, on whole pixels or not.
+std::vector<Vec2> ellipseStroke(double a, double b, double turn, double step, bool on_pixels) {
+  const int count = static_cast<int>(kPi * (a + b) / step);
+  std::vector<Vec2> stroke = discOutline(1, count);
+  const Vec2 along = {std::cos(turn), std::sin(turn)};
+  for (Vec2& p : stroke) {
+    p = along * (a * p.x) + perpendicular(along) * (b * p.y);
+    if (on_pixels) p = {std::round(p.x), std::round(p.y)};
+  }
+  return stroke;
+}
+
+/// How far triangles at the border face along it, beyond half its turn there: degrees, the worst.
+/// The walls of a dent do, and of a notch in the ring of points behind the border.
+double worstLean(const Inflated& part) {
+  const auto degrees = [](double sine) { return std::asin(std::min(1.0, sine)) * 180 / kPi; };
+  const uint32_t border = part.flat.border_count;
+  double worst = 0;
+  for (const auto& corners : part.flat.triangles) {
+    const Vec3 a = part.mesh.positions[corners[0]];
+    const Vec3 normal =
+        cross(part.mesh.positions[corners[1]] - a, part.mesh.positions[corners[2]] - a);
+    for (const uint32_t v : corners) {
+      if (v >= border) continue;
+      const Vec2 at = part.flat.points[v];
+      const Vec2 before = at - part.flat.points[v == 0 ? border - 1 : v - 1];
+      const Vec2 behind = part.flat.points[v + 1 == border ? 0 : v + 1] - at;
+      const Vec2 along = before / length(before) + behind / length(behind);
+      const double lean = std::fabs(dot(Vec2{normal.x, normal.y}, along / length(along)));
+      // The sum of two unit vectors is 2 cos of half the angle between them long.
+      const double half_turn = std::acos(std::min(1.0, length(along) / 2)) * 180 / kPi;
+      worst = std::max(worst, degrees(lean / length(normal)) - half_turn);
+    }
+  }
+  return worst;
+}
+
 /// The solution of −Δu = 2 in a rectangle with u = 0 on its border, as a sine series in x.
 double membrane(double x, double y, double width, double height) {
   double sum = x * (width - x);
@@ -220,6 +257,22 @@ TEST_CASE("inflate: the rim is round: normals there lie in the plane of the draw
   for (uint32_t v = 0; v < part.flat.border_count; ++v) {
     CHECK(std::fabs(normals[v].z) < 1e-9);
     CHECK(dot(normals[v], part.mesh.positions[v]) > 0.99 * 50);
+  }
+}
+
+TEST_CASE("inflate: along the border of a smooth shape there are no dents", "[inflate]") {
+  Random random(22);
+  for (int i = 0; i < 100; ++i) {
+    const double a = random.between(60, 300), b = a * random.between(0.5, 1);
+    const double turn = random.between(0, kPi), step = random.between(2, 12);
+    const bool on_pixels = i % 4 != 0;
+    const Result<Outline> outline = makeOutline(ellipseStroke(a, b, turn, step, on_pixels));
+    REQUIRE(outline);
+    for (const int target : {300, 1000, 2500}) {
+      INFO(a << " by " << b << " turned by " << turn << ", samples " << step << " apart, "
+             << (on_pixels ? "on pixels, " : "") << target << " points");
+      CHECK(worstLean(inflated(outline->dense, b, {}, target)) < 12);
+    }
   }
 }
 

@@ -38,11 +38,11 @@ Made make(const std::string& request) {
 }
 
 const Document& sample(const std::string& name) {
-  for (const Sample& one : samples()) {
+  for (const SampleFile& one : sampleFiles()) {
     if (one.name == name) return one.document;
   }
   FAIL("no sample " << name);
-  return samples().front().document;
+  return sampleFiles().front().document;
 }
 
 }  // namespace

@@ -84,6 +84,19 @@ TEST_CASE("pose tool: what is pulled comes along, as far as its bones reach") {
   CHECK(distance(placeOf(standing(rig), tool.pose(), 3), {0, 150, 0}) < 0.1);
 }
 
+TEST_CASE("pose tool: a limb bends by itself, and takes along what it hangs on where it is short") {
+  Rig rig = chain(6);
+  for (size_t i = 3; i < 6; ++i) rig.joints[i].part = 1;
+  PoseTool tool;
+  tool.begin(standing(rig), 5, PoseTool::Way::pull, {650, 300}, {}, kSize);
+  tool.move({600, 250});
+  CHECK(distance(placeOf(standing(rig), tool.pose(), 5), {200, 50, 0}) < 0.1);
+  CHECK(distance(placeOf(standing(rig), tool.pose(), 3), {150, 0, 0}) < 1e-9);
+  tool.move({600, 180});
+  CHECK(distance(placeOf(standing(rig), tool.pose(), 5), {200, 120, 0}) < 1);
+  CHECK(distance(placeOf(standing(rig), tool.pose(), 3), {150, 0, 0}) > 10);
+}
+
 TEST_CASE("pose tool: a pinned joint stays where it is") {
   const Rig rig = chain(5);
   Stance stance = standing(rig);

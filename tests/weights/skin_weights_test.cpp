@@ -352,8 +352,8 @@ double asymmetry(const WeightField& field, const Mesh& body, const std::vector<S
 }  // namespace
 
 TEST_CASE("skin weights: the gallery's creatures move with all their bones, both sides alike") {
-  CHECK(samples().size() >= 12);
-  for (const auto& [name, text, tree, document] : samples()) {
+  CHECK(sampleFiles().size() >= 12);
+  for (const auto& [name, text, tree, document] : sampleFiles()) {
     INFO(name);
     PartOptions options;
     options.triangulation.target_points = 300;

@@ -28,7 +28,7 @@ Box3 shownBox(const Evaluation& evaluation) {
   for (const PlacedPart& placed : evaluation.placed()) {
     const EvaluatedPart& part = evaluation.parts()[placed.source];
     if (!part.part || !part.source->visible) continue;
-    for (const Vec3& p : part.part->mesh.positions) box.include(placed.frame.toWorld(p));
+    for (const Vec3& p : part.shapeOf(placed)->mesh.positions) box.include(placed.frame.toWorld(p));
   }
   return box;
 }

@@ -60,7 +60,7 @@ uint64_t partsKey(const Evaluation& evaluation) {
   for (const PlacedPart& placed : evaluation.placed()) {
     const EvaluatedPart& part = evaluation.parts()[placed.source];
     if (!part.part || !part.source->visible) continue;
-    key = mixed(mixedNumbers(key + 1, part.mesh_id), placed.id);
+    key = mixed(mixedNumbers(key + 1, part.meshOf(placed)), placed.id);
     key = mixedNumbers(key, placed.frame);
   }
   return key;

@@ -29,15 +29,15 @@ Scene sceneOf(const Document& document, const std::vector<EvaluatedPart>& parts,
     if (!evaluated.part || !evaluated.source->visible) continue;
     const Color color = evaluated.source->color;
     Scene::Body body;
-    body.mesh_id = kFirstMesh * texture + evaluated.mesh_id;
-    body.part = evaluated.part;
+    body.mesh_id = kFirstMesh * texture + evaluated.meshOf(placed);
+    body.part = evaluated.shapeOf(placed);
     body.frame = placed.frame;
     body.color = {static_cast<float>(color.r) / 255, static_cast<float>(color.g) / 255,
                   static_cast<float>(color.b) / 255, 1};
-    scene.bodies.push_back(std::move(body));
-    for (const Vec3& position : evaluated.part->mesh.positions) {
+    for (const Vec3& position : body.part->mesh.positions) {
       box.include(placed.frame.toWorld(position));
     }
+    scene.bodies.push_back(std::move(body));
   }
   scene.size = Thumbnail::kSize;
   if (scene.bodies.empty()) return scene;

@@ -74,7 +74,7 @@ class Marks {
     const PlacedPart* placed = find(ui_.selection.primary());
     if (!placed) return;
     const EvaluatedPart& evaluated = input_.evaluation.parts()[placed->source];
-    if (!evaluated.part || !evaluated.source->visible) return;
+    if (!evaluated.part || !evaluated.source->visible || evaluated.source->mesh) return;
     list_.PathClear();
     for (const Vec2 p : evaluated.part->outline.dense) {
       list_.PathLineTo(toIm(onScreen(placed->frame.toWorld(p))));
@@ -136,6 +136,13 @@ class Marks {
       list_.AddCircle(at, 11, kHandle, 32, 4);
       list_.AddCircle(at, 11, kAttach, 32, 2.4f);
       list_.AddCircleFilled(at, 4, kAttach, 20);
+    }
+    const ImVec2 pointer = ImGui::GetIO().MousePos;
+    if (paints(ui_.posing) && ImGui::IsMousePosValid(&pointer) &&
+        !ImGui::GetIO().WantCaptureMouse) {
+      const auto radius = static_cast<float>(ui_.posing.brush_px);
+      list_.AddCircle(pointer, radius + 1, IM_COL32(255, 255, 255, 200), 48, 3);
+      list_.AddCircle(pointer, radius + 1, kEdge, 48, 1.4f);
     }
     const PoseTool& tool = input_.hand.posing();
     if (const auto target = tool.outOfReach()) {

@@ -48,7 +48,7 @@ constexpr Entry kPosing[] = {
     {"Weights  W", "what each bone holds"},
 };
 constexpr Entry kFiles[] = {
-    {"Open", "Ctrl O, or drop a file on the canvas"},
+    {"Open", "Ctrl O, or drop a file on the canvas: a drawing or a 3D model"},
     {"Save", "Ctrl S; Shift Ctrl S: in another file"},
     {"Export", "in the menu at the top left: a file for Blender, games or 3D printing"},
 };

@@ -38,6 +38,11 @@ class PosePanel {
     beginPanel("pose", ui_.narrow() ? sheetBox(ui_) : columnBox(ui_));
     title();
     progress();
+    if (posing_.weights != Posing::Weights::hidden) {  // these need the room
+      weights();
+      endPanel();
+      return;
+    }
     list();
     thisPose();
     mix();
@@ -103,13 +108,14 @@ class PosePanel {
     ButtonLook look{"As it was drawn; always there"};
     look.on = !current_;
     look.width = ImGui::GetContentRegionAvail().x;
-    if (textButton("rest", "At rest", height_, look)) show({});
+    if (nameButton("rest", "At rest", look)) show({});
     for (size_t i = 0; i < input_.shown.poses.size(); ++i) {
       ImGui::PushID(static_cast<int>(i));
       row(*input_.shown.poses[i]);
       ImGui::PopID();
     }
     endScrolling();
+    ImGui::Dummy({0, 2});
     look = {"Another pose, to begin with as this one"};
     look.raised = true;
     look.width = ImGui::GetContentRegionAvail().x;
@@ -119,6 +125,14 @@ class PosePanel {
       posing_.amount = 0;
       show(name);
     }
+  }
+
+  bool nameButton(const char* id, const char* name, const ButtonLook& look) {
+    const bool pressed = textButton(id, "", height_, look);
+    const ImVec2 low = ImGui::GetItemRectMin();
+    fittingText(name, {low.x + 10, std::round(low.y + (height_ - ImGui::GetFontSize()) / 2)},
+                look.width - 20, look.on ? Theme::kAccent : Theme::kText);
+    return pressed;
   }
 
   void row(const NamedPose& pose) {
@@ -133,7 +147,7 @@ class PosePanel {
     } else {
       ButtonLook look;
       look.width = width - 4;
-      if (textButton("pose", pose.name.c_str(), height_, look)) show(pose.name);
+      if (nameButton("pose", pose.name.c_str(), look)) show(pose.name);
     }
     ImGui::SameLine(0, 4);
     ButtonLook look{"Delete this pose"};
@@ -229,9 +243,62 @@ class PosePanel {
       posing_.weights = static_cast<Posing::Weights>(next);
       requests_.again = true;
     }
+    if (posing_.weights == Posing::Weights::hidden) {
+      posing_.brush.reset();
+      return;
+    }
     if (posing_.weights == Posing::Weights::joint) {
       softText(chosen() ? "How much the chosen bone holds: dark nothing, light all."
                         : "Click a joint to see what its bone holds.");
+    }
+    brush();
+  }
+
+  void brush() {
+    heading("Brush");
+    ImGui::PushID("brush");
+    const std::vector<Choice> kinds{
+        {"off", "Off"}, {"add", "More"}, {"take", "Less"}, {"smooth", "Smooth"}};
+    const size_t now = posing_.brush ? static_cast<size_t>(*posing_.brush) + 1 : 0;
+    const size_t next = choices(kinds, now, height_);
+    ImGui::PopID();
+    if (next != now) {
+      posing_.brush.reset();
+      if (next > 0) posing_.brush = static_cast<WeightStroke::Kind>(next - 1);
+      requests_.again = true;
+    }
+    if (!posing_.brush) return;
+    if (!chosen()) softText("Click the joint at the end of the bone to paint for.");
+    headingWithNote("Size", "[  ]");
+    const double least = std::log(Posing::kLeastBrush_px);
+    const double most = std::log(Posing::kLargestBrush_px);
+    const auto onSlider = [&](double px) {
+      return static_cast<float>((std::log(px) - least) / (most - least));
+    };
+    const Posing usual;
+    float size = onSlider(posing_.brush_px);
+    const SliderEvent resized = slider("brushSize", size, onSlider(usual.brush_px), height_);
+    if (resized.changed) posing_.brush_px = std::exp(least + size * (most - least));
+    if (resized.reset) posing_.brush_px = usual.brush_px;
+    heading("Strength");
+    float strength = static_cast<float>(posing_.brush_strength);
+    const SliderEvent changed =
+        slider("brushStrength", strength, static_cast<float>(usual.brush_strength), height_);
+    if (changed.changed) posing_.brush_strength = std::max(0.02, static_cast<double>(strength));
+    if (changed.reset) posing_.brush_strength = usual.brush_strength;
+    requests_.again |= resized.changed || resized.reset || changed.changed || changed.reset;
+    const auto joint = chosen();
+    const std::string id = joint ? boneId(*joint) : std::string();
+    const auto& strokes = input_.shown.weight_strokes;
+    const bool painted = joint && std::any_of(strokes.begin(), strokes.end(), [&](const auto& one) {
+                           return one->joint == id || one->joint == oppositeJoint(input_.shown, id);
+                         });
+    ButtonLook look{"What was painted for the chosen bone goes"};
+    look.raised = true;
+    look.enabled = painted;
+    look.width = ImGui::GetContentRegionAvail().x;
+    if (textButton("clearPaint", "Clear this bone's paint", height_, look)) {
+      ask(ClearWeightStrokes{id});
     }
   }
 

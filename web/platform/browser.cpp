@@ -181,6 +181,13 @@ EMSCRIPTEN_KEEPALIVE const char* marrow_call(const char* name, const char* text)
   return page->answer.c_str();
 }
 
+/// A file that was chosen or dropped. head: JSON that says where it comes from. The answer is JSON,
+/// as above.
+EMSCRIPTEN_KEEPALIVE const char* marrow_file(const char* head, const char* bytes, int size) {
+  page->answer = page->files.openFile(head, std::string(bytes, static_cast<size_t>(size)));
+  return page->answer.c_str();
+}
+
 /// Addresses and lengths of a part's mesh: positions, normals (double), triangles (uint32), vertex
 /// count, triangle count; null where there is none.
 EMSCRIPTEN_KEEPALIVE const uint32_t* marrow_mesh(int index) {

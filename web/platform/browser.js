@@ -18,6 +18,13 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
     return answer;
   };
   const call = (name, text) => JSON.parse(raw(name, text));
+  const openFile = (head, bytes) => {
+    const pointers = [copied(JSON.stringify(head)), _malloc(bytes.length + 1)];
+    HEAPU8.set(bytes, pointers[1]);
+    const answer = UTF8ToString(_marrow_file(pointers[0], pointers[1], bytes.length));
+    pointers.forEach(_free);
+    return JSON.parse(answer);
+  };
 
   // Frames: only when something happened or the app asked for one.
   let scheduled = false, timer = 0, contextLosses = 0, contextAlive = true;
@@ -39,7 +46,7 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
 
   // What the app asks of files, storage and pictures, which have scripts of their own.
   const host = {
-    call, raw, copied, wake, frame, canvas, runJobs, perform: {},
+    call, raw, copied, openFile, wake, frame, canvas, runJobs, perform: {},
     say(sentence) { call('say', sentence); wake(); },
   };
   marrowFiles(host);

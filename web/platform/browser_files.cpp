@@ -86,6 +86,16 @@ std::string BrowserFiles::takeText(uint64_t job) {
   return text;
 }
 
+std::string BrowserFiles::openFile(const std::string& head, const std::string& bytes) {
+  const Json json = split(head).head;
+  Origin origin;
+  origin.name = textIn(json, "name");
+  origin.place = textIn(json, "place");
+  const auto opened = app_.openFile(bytes, textIn(json, "file"), origin);
+  if (!opened) return toText(Json{{"error", opened.message()}});
+  return toText(Json{{"drawing", opened->drawing}, {"hasFile", opened->has_file}});
+}
+
 std::optional<std::string> BrowserFiles::call(const std::string& name, const std::string& text) {
   Keeping& keeping = app_.shelf().keeping;
   const std::string done = "true";

@@ -17,6 +17,8 @@ class BrowserFiles {
   std::optional<std::string> call(const std::string& name, const std::string& text);
   /// The text of a job, once.
   std::string takeText(uint64_t job);
+  /// The same for a file as it is. head: JSON that says where it comes from.
+  std::string openFile(const std::string& head, const std::string& bytes);
 
  private:
   std::string jobs();

@@ -75,9 +75,9 @@ Result<bool> DesktopFiles::open(const std::string& path) {
   Origin origin;
   origin.name = nameOfFile(path);
   origin.place = path;
-  const auto drawing = app_.open(std::string(bytes.begin(), bytes.end()), name, origin);
-  if (!drawing) return drawing.error();
-  places_[*drawing] = path;
+  const auto opened = app_.openFile(std::string(bytes.begin(), bytes.end()), name, origin);
+  if (!opened) return opened.error();
+  if (opened->has_file) places_[opened->drawing] = path;
   return true;
 }
 

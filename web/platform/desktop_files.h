@@ -19,7 +19,8 @@ class DesktopFiles {
 
   /// Tells the app which drawings are kept; the newest one is offered.
   void start();
-  /// Opens a drawing, or takes a picture to draw after. Errors are said in the app.
+  /// Opens a drawing, imports a 3D model, or takes a picture to draw after. Errors are said in the
+  /// app.
   Result<bool> open(const std::string& path);
   /// Opens the newest kept drawing; false where there is none.
   bool restoreNewest();

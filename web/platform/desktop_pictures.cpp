@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "platform/base64.h"
+#include "base/base64.h"
 
 namespace marrow {
 namespace {

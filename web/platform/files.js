@@ -2,6 +2,9 @@
 // does; else a drawing is downloaded. Linked into marrow.js before browser.js, which gives the host.
 function marrowFiles(host) {
   const kinds = [{description: 'Marrow drawing', accept: {'application/json': ['.json']}}];
+  const meshes = ['.glb', '.obj', '.ply', '.stl'];
+  const readable = [{description: 'Drawings and 3D models',
+                     accept: {'application/json': ['.json'], 'model/gltf-binary': meshes}}];
   const largest = 64 << 20;
   const handles = host.handles = new Map();  // by the drawing's number
   const stem = (name) => name.replace(/(.)\.[^.]*$/, '$1');
@@ -26,28 +29,28 @@ function marrowFiles(host) {
   /// Opens a file; `handle` is what later saves write to.
   async function open(file, handle) {
     if (file.size > largest) return host.say(`${file.name} cannot be opened: it is larger than 64 MB.`);
-    let text;
+    let bytes;
     try {
-      text = await file.text();
+      bytes = new Uint8Array(await file.arrayBuffer());
     } catch {
       return host.say(`${file.name} cannot be read.`);
     }
     const origin = {name: stem(file.name), place: file.name, file: file.name};
-    const answer = host.call('open', JSON.stringify(origin) + '\n' + text);
-    if (answer.drawing !== undefined && handle) handles.set(answer.drawing, handle);
+    const answer = host.openFile(origin, bytes);
+    if (answer.hasFile && handle) handles.set(answer.drawing, handle);
     host.wake();
   }
 
   host.perform.open = async () => {
     if (window.showOpenFilePicker) {
       try {
-        const handle = (await window.showOpenFilePicker({types: kinds}))[0];
+        const handle = (await window.showOpenFilePicker({types: readable}))[0];
         return open(await handle.getFile(), handle);
       } catch (error) {
         if (cancelled(error)) return;  // else another way may be allowed
       }
     }
-    const file = await host.chooseFile('.json,application/json');
+    const file = await host.chooseFile(['.json', 'application/json', ...meshes].join());
     if (file) await open(file);
   };
 
@@ -93,7 +96,7 @@ function marrowFiles(host) {
   host.perform.save = save;
   host.perform.saveAs = save;
 
-  // Dropped files: pictures to draw after, anything else is taken for a drawing.
+  // Dropped files: pictures to draw after, anything else is taken for a drawing or a 3D model.
   const isPicture = (file) => /^image\//.test(file.type);
   let depth = 0;  // of elements that the dragged file is over
   const mark = () => host.canvas.classList.toggle('dropping', depth > 0);

@@ -7,7 +7,7 @@ namespace marrow {
 const char* const kDesktopUsage =
     "marrow-app [DOCUMENT.json] [--restore] [--size WIDTHxHEIGHT] [--play STROKE.json]…\n"
     "           [--screenshot OUT.png] [--dump OUT.json] [--save OUT.json]\n"
-    "  DOCUMENT.json  a drawing to open, or a picture to draw after\n"
+    "  DOCUMENT.json  a drawing to open, a 3D model to import, or a picture to draw after\n"
     "  --restore      goes on with the drawing that was kept last\n"
     "  --play         draws a stroke as a pointer would\n"
     "  --screenshot   writes what is shown, then ends\n"

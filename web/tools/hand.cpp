@@ -102,6 +102,10 @@ void Hand::begin(const DrawTool& gesture, bool shift, UiState& ui, const World& 
       break;
     case ToolKind::pose: {
       const Stance& stance = world.stance;
+      if (paints(ui.posing)) {
+        if (beginBrush(ui, world)) mode_ = Mode::brush;
+        break;
+      }
       const auto joint = jointToGrab(from_px_, stance.posed, ui.camera, ui.size, ui.touch());
       if (!joint) break;
       const auto way = ui.posing.turns ? PoseTool::Way::turn : PoseTool::Way::pull;
@@ -130,6 +134,9 @@ void Hand::move(const DrawTool& gesture, UiState& ui, const World& world) {
   } else if (mode_ == Mode::pose) {
     pose_.move(to_px_);
     showPose(ui);
+  } else if (mode_ == Mode::brush) {
+    brush_.move(to_px_);
+    if (auto command = brush_.command()) ui.edit = PendingEdit{std::move(*command)};
   } else if (mode_ == Mode::contour) {
     contour_.move(to_px_);
     ui.edit.reset();
@@ -153,6 +160,10 @@ std::optional<Command> Hand::end(const DrawTool& gesture, UiState& ui, const Wor
       pose_.end();
       if (pose_.changed()) return poseCommand(ui);
       break;
+    case Mode::brush:
+      brush_.end();
+      if (auto command = brush_.command()) return *command;
+      break;
     case Mode::box: {
       if (!shift_) ui.selection.clear();
       for (std::string& id : partsInBox(from_px_, to_px_, world.evaluation, ui.camera, ui.size)) {
@@ -175,22 +186,36 @@ std::optional<Command> Hand::end(const DrawTool& gesture, UiState& ui, const Wor
 }
 
 void Hand::cancel(UiState& ui) {
-  if (mode_ == Mode::transform || mode_ == Mode::contour || mode_ == Mode::pose) ui.edit.reset();
+  const bool edits = mode_ == Mode::transform || mode_ == Mode::contour || mode_ == Mode::pose ||
+                     mode_ == Mode::brush;
+  if (edits) ui.edit.reset();
+  brush_.end();
   transform_.end();
   pose_.end();
   contour_.end();
   mode_ = Mode::idle;
 }
 
+bool Hand::beginBrush(const UiState& ui, const World& world) {
+  const Stance& stance = world.stance;
+  const auto& joints = stance.rest.joints;
+  const auto chosen = jointOf(stance.rest, ui.posing.joint);
+  if (!world.figure || !chosen) return false;
+  BrushTool::Brush brush;
+  brush.kind = *ui.posing.brush;
+  brush.joint = joints[boneOf(stance.rest, *chosen)].id;
+  brush.radius = ui.posing.brush_px / ui.camera.zoom;
+  brush.strength = ui.posing.brush_strength;
+  const auto motions = motionsOf(*world.figure, stance.rest, posed(stance.rest, stance.pose));
+  return brush_.begin({world.figure, motions, ui.posing.skinning, ui.camera, ui.size}, brush,
+                      from_px_);
+}
+
 bool Hand::beginByKey(TransformKind kind, Vec2 pointer_px, UiState& ui, const World& world) {
   if (ui.tool == ToolKind::pose) {
-    const auto& joints = world.stance.rest.joints;
-    const auto chosen = std::find_if(joints.begin(), joints.end(), [&](const Rig::Joint& joint) {
-      return joint.id == ui.posing.joint;
-    });
-    if (chosen == joints.end() || kind == TransformKind::scale) return false;
-    pose_.beginByKey(world.stance, static_cast<uint32_t>(chosen - joints.begin()), kind, pointer_px,
-                     ui.camera, ui.size);
+    const auto chosen = jointOf(world.stance.rest, ui.posing.joint);
+    if (!chosen || kind == TransformKind::scale) return false;
+    pose_.beginByKey(world.stance, *chosen, kind, pointer_px, ui.camera, ui.size);
     mode_ = Mode::pose;
     return true;
   }

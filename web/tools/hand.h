@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/brush_tool.h"
 #include "tools/contour_tool.h"
 #include "tools/draw_tool.h"
 #include "tools/gizmo.h"
@@ -19,14 +20,16 @@ namespace marrow {
 
 class Hand {
  public:
-  enum class Mode : uint8_t { idle, stroke, box, transform, contour, line, pose };
+  enum class Mode : uint8_t { idle, stroke, box, transform, contour, line, pose, brush };
 
   /// What it needs to know of the rest.
   struct World {
     const Document& document;
     const Evaluation& evaluation;
-    Vec3 ground;           // the middle of what the model stands on
-    const Stance& stance;  // while poses are made
+    Vec3 ground;  // the middle of what the model stands on
+    // While poses are made:
+    const Stance& stance;
+    std::shared_ptr<const Figure> figure = {};
   };
 
   void begin(const DrawTool& gesture, bool shift, UiState& ui, const World& world);
@@ -60,6 +63,7 @@ class Hand {
   void showTransform(UiState& ui);
   void showPose(UiState& ui);
   Command poseCommand(const UiState& ui) const;
+  bool beginBrush(const UiState& ui, const World& world);
 
   Mode mode_ = Mode::idle;
   bool shift_ = false;
@@ -69,6 +73,7 @@ class Hand {
   TransformTool transform_;
   ContourTool contour_;
   PoseTool pose_;
+  BrushTool brush_;
 };
 
 /// Ids of the selected parts that can be changed on the canvas.

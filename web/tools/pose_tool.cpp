@@ -14,9 +14,26 @@ constexpr double kBoneReach_px = 10, kBoneTouch_px = 20;
 constexpr double kFirstMove_px = 2;
 constexpr double kMissed = 0.02;  // × the distance to the target: that much is out of reach
 
+/// The joint nearest to the root that is of the same part.
+uint32_t limbOf(const Rig& rig, uint32_t joint) {
+  for (int32_t up = rig.joints[joint].parent; up >= 0;
+       up = rig.joints[static_cast<size_t>(up)].parent) {
+    if (rig.joints[static_cast<size_t>(up)].part != rig.joints[joint].part) break;
+    joint = static_cast<uint32_t>(up);
+  }
+  return joint;
+}
+
 Quaternion rotationOf(const Affine& map) { return rotationTo(map.x, map.y, map.z); }
 
 }  // namespace
+
+std::optional<uint32_t> jointOf(const Rig& rig, const std::string& id) {
+  for (size_t i = 0; i < rig.joints.size(); ++i) {
+    if (rig.joints[i].id == id) return static_cast<uint32_t>(i);
+  }
+  return std::nullopt;
+}
 
 uint32_t boneOf(const Rig& rig, uint32_t joint) {
   const int32_t parent = rig.joints[joint].parent;
@@ -123,15 +140,26 @@ void PoseTool::follow() {
                  between(start_ - middle, start_ + map.move - middle));
 }
 
+// The limb bends; only where it is too short, what it hangs on follows.
 void PoseTool::pullTo(Vec3 target) {
   target_ = target;
-  pose_ = reach(stance_.rest, stance_.pose, joint_, target, stance_.pins);
+  pose_ = stance_.pose;
+  if (const uint32_t base = limbOf(stance_.rest, joint_); base != joint_) {
+    std::vector<uint32_t> pins = stance_.pins;
+    pins.push_back(base);
+    pose_ = reach(stance_.rest, stance_.pose, joint_, target, pins);
+    if (!missed()) return;
+  }
+  pose_ = reach(stance_.rest, pose_, joint_, target, stance_.pins);
+}
+
+bool PoseTool::missed() const {
+  const Vec3 at = posed(stance_.rest, pose_)[joint_](stance_.rest.joints[joint_].position);
+  return distance(at, target_) > kMissed * distance(start_, target_);
 }
 
 std::optional<Vec3> PoseTool::outOfReach() const {
-  if (!active_ || !changed_ || way_ != Way::pull) return std::nullopt;
-  const Vec3 at = posed(stance_.rest, pose_)[joint_](stance_.rest.joints[joint_].position);
-  if (distance(at, target_) <= kMissed * distance(start_, target_)) return std::nullopt;
+  if (!active_ || !changed_ || way_ != Way::pull || !missed()) return std::nullopt;
   return target_;
 }
 

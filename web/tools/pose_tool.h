@@ -20,6 +20,9 @@ struct Stance {
   std::vector<uint32_t> pins;  // joints that stay
 };
 
+/// The joint with this id.
+std::optional<uint32_t> jointOf(const Rig& rig, const std::string& id);
+
 /// A chosen joint stands for the bone that ends in it: the joint that turns that bone. A root
 /// stands for itself.
 uint32_t boneOf(const Rig& rig, uint32_t joint);
@@ -55,6 +58,7 @@ class PoseTool {
  private:
   void follow();
   void pullTo(Vec3 target);
+  bool missed() const;  // where the joint was pulled to
   uint32_t pivotJoint() const;
 
   bool active_ = false, by_key_ = false, changed_ = false;

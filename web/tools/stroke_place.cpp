@@ -85,15 +85,15 @@ std::optional<StrokePlace::Anchor> StrokePlace::anchorOf(const std::vector<Vec2>
 bool StrokePlace::looksLikeLimb(const std::vector<Vec2>& stroke, const Anchor& anchor) const {
   if (anchor.hit.facing < kRimFacing) return false;
   const PlacedPart& placed = evaluation_->placed()[anchor.hit.placed];
-  const PartSkeleton& skeleton = evaluation_->parts()[placed.source].part->skeleton;
+  const PartSkeleton& skeleton = evaluation_->parts()[placed.source].shapeOf(placed)->skeleton;
   const Vec2 middle = centroid(stroke), way = middle - anchor.at;
   for (const auto& bone : skeleton.bones) {
     for (const bool second : {false, true}) {
       const PartSkeleton::Joint& joint = skeleton.joints[bone[second ? 1 : 0]];
       if (joint.kind != JointKind::terminal) continue;
-      const Vec2 end = inView(placed.frame.toWorld(joint.position));
+      const Vec2 end = inView(placed.frame.toWorld(joint.place()));
       const Vec2 bone_way =
-          end - inView(placed.frame.toWorld(skeleton.joints[bone[second ? 0 : 1]].position));
+          end - inView(placed.frame.toWorld(skeleton.joints[bone[second ? 0 : 1]].place()));
       if (length(bone_way) <= 0) continue;
       const Vec2 outward = bone_way / length(bone_way), beyond = middle - end;
       const double radius = joint.radius * placed.frame.scale();

@@ -1,0 +1,42 @@
+// Meshes of other programs: OBJ, STL, PLY and GLB, made solids.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/result.h"
+#include "document/document.h"
+#include "surface/mesh.h"
+
+namespace marrow {
+
+enum class MeshFormat { obj, stl, ply, glb };
+
+/// By what the file begins with, else by its name's ending; nothing for anything else.
+std::optional<MeshFormat> meshFormatOf(const std::string& bytes, const std::string& file_name);
+
+/// Limits that keep a hostile file from costing more than a moment.
+constexpr size_t kLargestMeshFile = 64u << 20;  // bytes
+constexpr size_t kMostReadTriangles = 200'000;
+constexpr size_t kMostReadVertices = 600'000;
+/// More would be slow to merge and to weight, and nothing is simplified unasked: what a reduction
+/// may lose, the program that made the mesh knows better.
+constexpr size_t kMostTriangles = PartSource::kMostTriangles;
+
+/// The triangles of the file as they are, in its units; faces with more corners are cut. No
+/// pictures, no colours. Errors, in a sentence: unreadable, tooMany.
+/// - OBJ: v and f lines, all objects as one.
+/// - STL: ASCII and binary.
+/// - PLY: ASCII and binary little-endian.
+/// - GLB: the triangles of all meshes of the scene, as its nodes place them, at rest; only what is
+///   in the file itself, uncompressed.
+Result<Mesh> readMesh(const std::string& bytes, MeshFormat format);
+
+/// A closed, outward solid about the origin whose longest side is 1 (see closeSurface), at most
+/// kMostTriangles. Errors: those of readMesh and closeSurface.
+Result<Mesh> importMesh(const std::string& bytes, MeshFormat format);
+
+/// The text of the document that a GLB of ours holds (glb.h); nothing where it holds none.
+std::optional<std::string> documentInGlb(const std::string& bytes);
+
+}  // namespace marrow
