@@ -36,8 +36,7 @@ void App::workEnded(uint64_t number, const std::string& why) {
     job.name = std::move(file->name);
     job.text = std::move(file->bytes);
     shelf_.keeping.ask(std::move(job));
-  } else if (number >= FileMaker::kFirstNumber && !file_.failure().empty() &&
-             !ui_.open.exporting) {
+  } else if (number >= FileMaker::kFirstNumber && !file_.failure().empty() && !ui_.open.exporting) {
     say(file_.failure());
   }
   redraw();
