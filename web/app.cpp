@@ -66,17 +66,10 @@ App::FrameResult App::frame(double now_ms) {
   scene_ = buildScene(evaluation_, rig(), live_, tools_.drawing(), hand_,
                       shows_plane ? symmetryPlane(shown_) : std::nullopt, stance_, figure_, ui_);
   scene_.pictures = shelf_.pictures.seen(shown_, ui_.camera);
-  const PanelInput input{history_,
-                         shown_,
-                         evaluation_,
-                         rig(),
-                         live_,
-                         hand_,
-                         meter_,
-                         shelf_,
-                         stance_,
-                         figure_,
-                         tools_.drawing().active() && tools_.drawing().isStroke()};
+  const PanelInput input{
+      history_, shown_,  evaluation_, rig(),
+      live_,    hand_,   meter_,      shelf_,
+      stance_,  figure_, file_,       tools_.drawing().active() && tools_.drawing().isStroke()};
   requests_ = panels_.frame(input, ui_);
   requests_.frame_all |= std::exchange(frame_all_next_, false);
   makeRoom();

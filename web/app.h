@@ -10,6 +10,7 @@
 #include "document/evaluation.h"
 #include "document/history.h"
 #include "figure/figure_keeper.h"
+#include "figure/file_maker.h"
 #include "input.h"
 #include "io/mesh_import.h"
 #include "keep/shelf.h"
@@ -90,6 +91,7 @@ class App {
   const Rig& rig() const { return live_rig_ ? *live_rig_ : evaluation_.rig(); }
   const Hand& hand() const { return hand_; }
   const FigureKeeper& figure() const { return figure_; }
+  const FileMaker& file() const { return file_; }
   const Stance& stance() const { return stance_; }
   const LivePart& livePart() const { return live_; }
   const Error& liveError() const { return live_error_; }
@@ -121,6 +123,7 @@ class App {
   void forgetWhatIsGone();
   void updateLivePart();
   void updateFigure(FrameResult& result);
+  void makeFile(const std::string& name);
   void updateStance();
   Pose wantedPose() const;
   void beginPosing();
@@ -173,6 +176,7 @@ class App {
   double next_preview_ms_ = 0;  // earliest time for another one
   std::optional<Rig> live_rig_;
   FigureKeeper figure_;
+  FileMaker file_;
   Stance stance_;  // while poses are made
   uint64_t stance_rig_ = 0;
   // A change of pose that no hand made glides.

@@ -187,6 +187,12 @@ void App::act(const FileAction& action) {
     case FileAction::Kind::picture:
       keeping.ask(Job::Kind::picture);
       break;
+    case FileAction::Kind::make:
+      makeFile(action.what);
+      break;
+    case FileAction::Kind::give_up:
+      file_.giveUp();
+      break;
   }
 }
 

@@ -13,6 +13,7 @@ constexpr double kBrushStep = 1.2;  // by key
 }  // namespace
 
 void App::workMade(uint64_t number, const std::string& bytes) {
+  file_.made(number, bytes);
   const bool was_there = figure_.figure() != nullptr;
   figure_.made(number, bytes);
   const auto& figure = figure_.figure();
@@ -21,19 +22,35 @@ void App::workMade(uint64_t number, const std::string& bytes) {
 }
 
 void App::workProgress(uint64_t number, double done) {
+  file_.progress(number, done);
   figure_.progress(number, done);
-  if (ui_.tool == ToolKind::pose) redraw();
+  if (ui_.tool == ToolKind::pose || ui_.open.exporting) redraw();
 }
 
 void App::workEnded(uint64_t number, const std::string& why) {
   figure_.ended(number, why);
+  file_.ended(number, why);
+  if (auto file = file_.take()) {
+    Job job;
+    job.kind = Job::Kind::hand_over;
+    job.name = std::move(file->name);
+    job.text = std::move(file->bytes);
+    shelf_.keeping.ask(std::move(job));
+  } else if (number >= FileMaker::kFirstNumber && !file_.failure().empty() && !ui_.open.exporting) {
+    say(file_.failure());
+  }
   redraw();
 }
 
 void App::updateFigure(FrameResult& result) {
   const bool busy = tools_.drawing().active() && ui_.tool != ToolKind::pose;
   const bool posing = ui_.tool == ToolKind::pose;
-  const auto order = figure_.update(shown_, busy || (ui_.edit && !posing), posing, ui_.now_ms);
+  const bool awaited = posing || ui_.open.exporting;
+  auto order = file_.update(figure_.done() >= 0);
+  if (!order && !file_.working()) {
+    order = figure_.update(shown_, busy || (ui_.edit && !awaited), awaited, ui_.now_ms);
+    result.wake_after_ms = std::min(result.wake_after_ms, figure_.due_ms() - ui_.now_ms);
+  }
   if (order) {
     Job job;
     job.kind = Job::Kind::work;
@@ -42,8 +59,18 @@ void App::updateFigure(FrameResult& result) {
     shelf_.keeping.ask(std::move(job));
     result.again = true;
   }
-  result.wake_after_ms = std::min(result.wake_after_ms, figure_.due_ms() - ui_.now_ms);
   result.again |= posing && ui_.now_ms - glide_since_ms_ < kGlide_ms;
+}
+
+void App::makeFile(const std::string& name) {
+  closeEdit();
+  update();
+  const Exporting& exporting = ui_.exporting;
+  FileOptions options = exporting.file;
+  options.name = shelf_.keeping.name().empty() ? Keeping::kNoName : shelf_.keeping.name();
+  options.metres_per_unit = metresPerUnit(shownBox(evaluation_), exporting.height_m);
+  options.skinning = ui_.posing.skinning;
+  file_.ask(document(), options, name);
 }
 
 /// The pose to be shown once nothing glides any more.

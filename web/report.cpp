@@ -147,7 +147,31 @@ Json posingJson(const App& app) {
   return json;
 }
 
+Json exportJson(const App& app) {
+  const FileMaker& file = app.file();
+  const FileOptions& options = app.ui().exporting.file;
+  Json json;
+  json["format"] = toString(options.format);
+  json["pose"] = options.pose;
+  json["nothing"] = shownBox(app.evaluation()).isEmpty();
+  json["waiting"] = file.waiting();
+  json["working"] = file.working();
+  json["done"] = file.done();
+  json["failure"] = file.failure();
+  json["leftOut"] = file.leftOut();
+  json["metresPerUnit"] = metresPerUnit(shownBox(app.evaluation()), app.ui().exporting.height_m);
+  return json;
+}
+
 }  // namespace
+
+SkinnedVertices posedFigure(const App& app) {
+  const Figure& figure = *app.figure().figure();
+  const bool posing = app.ui().tool == ToolKind::pose;
+  const Rig& rig = posing ? app.stance().rest : app.evaluation().rig();
+  const auto motions = motionsOf(figure, rig, posed(rig, posing ? app.stance().pose : Pose{}));
+  return posedVertices(figure, motions, app.ui().posing.skinning);
+}
 
 std::string partsReport(const App& app) {
   Json json = Json::array();
@@ -194,6 +218,7 @@ std::string statsReport(const App& app) {
                   {"longestStepMs", app.warmUp().longest_step_ms()}};
   json["drawing"] = drawingJson(app);
   json["posing"] = posingJson(app);
+  json["export"] = exportJson(app);
   json["widgets"] = widgetsJson();
   json["message"] = ui.toast ? Json(ui.toast->text) : Json(nullptr);
   return toText(json);

@@ -16,4 +16,8 @@ std::string partsReport(const App& app);
 /// README says more.
 std::string statsReport(const App& app);
 
+/// The vertices of the figure as it is shown while poses are made, else at rest; there must be a
+/// figure.
+SkinnedVertices posedFigure(const App& app);
+
 }  // namespace marrow

@@ -104,7 +104,7 @@ class Builder {
       posed.joints[i].move = {static_cast<float>(move.x), static_cast<float>(move.y),
                               static_cast<float>(move.z), 0};
     }
-    showWeights(posed, stance.rest);
+    if (ui_.tool == ToolKind::pose) showWeights(posed, stance.rest);
     for (const Rig::Joint& joint : stance.posed.joints) {
       const double r = joint.radius;
       box_.include(joint.position - Vec3{r, r, r});
@@ -286,7 +286,8 @@ Scene buildScene(const Evaluation& evaluation, const Rig& rig, const LivePart& l
     builder.addPart(part.shapeOf(one), part.meshOf(one), one.frame, part.source->color,
                     !posing && ui.selection.has(one.id));
   }
-  if (posing && figure.figure()) builder.addFigure(evaluation, stance, figure);
+  const bool exports = ui.open.exporting && takesOneBody(ui.exporting.file);
+  if ((posing || exports) && figure.figure()) builder.addFigure(evaluation, stance, figure);
   if (live.part) {
     for (const PlacedPart& one : live.placed) {
       builder.addPart(live.part, live.mesh_id, one.frame, live.source.color, false);

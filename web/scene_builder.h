@@ -21,8 +21,8 @@ struct LivePart {
   std::vector<PlacedPart> placed;  // itself and its twin, if it gets one
 };
 
-/// stance, figure: shown while poses are made. rig: of the evaluation's placed parts and, after
-/// them, the live ones. symmetry: the plane to show, if any.
+/// stance, figure: shown while poses are made, the figure also before it is exported. rig: of the
+/// evaluation's placed parts and, after them, the live ones. symmetry: the plane to show, if any.
 Scene buildScene(const Evaluation& evaluation, const Rig& rig, const LivePart& live,
                  const DrawTool& gesture, const Hand& hand, const std::optional<Plane>& symmetry,
                  const Stance& stance, const FigureKeeper& figure, const UiState& ui);

@@ -10,6 +10,7 @@
 #include "base/box.h"
 #include "camera.h"
 #include "document/command.h"
+#include "figure/file_options.h"
 #include "input.h"
 #include "pose/skin.h"
 
@@ -39,6 +40,7 @@ struct PanelsOpen {
   bool file = false;
   bool gallery = false;
   bool picture = false;  // to draw after
+  bool exporting = false;
 
   bool skeleton = false;    // thresholds in a panel of their own, once no part's is there
   bool bones = false;       // in the part's panel: the same
@@ -48,9 +50,11 @@ struct PanelsOpen {
 
   /// Those that Esc closes.
   bool anySheet() const {
-    return pose || view || performance || help || file || gallery || picture;
+    return pose || view || performance || help || file || gallery || picture || exporting;
   }
-  void closeSheets() { pose = view = performance = help = file = gallery = picture = false; }
+  void closeSheets() {
+    pose = view = performance = help = file = gallery = picture = exporting = false;
+  }
 };
 
 /// What the thresholds on the screen are those of.
@@ -83,6 +87,15 @@ struct Posing {
   std::optional<WeightStroke::Kind> brush;  // a drag paints weights, while they are shown
   static constexpr double kLeastBrush_px = 6, kLargestBrush_px = 160;
   double brush_px = 26, brush_strength = 0.6;
+};
+
+/// What is to be taken away, as chosen in the sheet.
+struct Exporting {
+  bool seen = false;         // the sheet is open
+  FileOptions file;          // without name and scale
+  double height_m = 1;       // of the whole character at rest; 0: 100 units are a metre
+  std::string path;          // typed where the platform has no dialogs
+  bool path_edited = false;  // else it follows the drawing's name
 };
 
 inline bool paints(const Posing& posing) {
@@ -133,6 +146,7 @@ struct UiState {
   bool through_selected = false;  // new strokes lie as deep as the selected parts
   Selection selection;
   Posing posing;
+  Exporting exporting;
   RefineScope refine_scope = RefineScope::part;
   bool attaching = false;  // the next click on a bone or a part says where the selected part hangs
   std::optional<PendingEdit> edit;

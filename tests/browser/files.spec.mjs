@@ -1,6 +1,6 @@
 // Drawings in files: saved and opened by the controls, the keys and the hand of a user.
 import assert from 'node:assert/strict';
-import {readFile, writeFile} from 'node:fs/promises';
+import {writeFile} from 'node:fs/promises';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 
@@ -21,9 +21,8 @@ const square = [[0, 0], [100, 0], [100, 100], [0, 100]];
 
 /// Does something that downloads a file; its name and its text.
 async function downloaded(app, act) {
-  const [download] = await Promise.all([app.page.waitForEvent('download'), act()]);
-  await app.settled();
-  return {name: download.suggestedFilename(), text: await readFile(await download.path(), 'utf8')};
+  const {name, bytes} = await app.downloaded(act);
+  return {name, text: bytes.toString()};
 }
 
 /// Does something that asks for a file, and chooses one with this text.

@@ -8,7 +8,7 @@
 //
 // Every test has a page of its own, opened and ready, and fails when the page logs an error. All
 // positions are CSS pixels from the top left corner.
-import {mkdir, writeFile} from 'node:fs/promises';
+import {mkdir, readFile, writeFile} from 'node:fs/promises';
 import {createRequire} from 'node:module';
 import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
@@ -181,6 +181,13 @@ export class App {
   async press(panel, id, index = 0) {
     const {x, y} = await this.widget(panel, id, index);
     await this.click(x, y);
+  }
+
+  /// Does something that downloads a file.
+  async downloaded(act) {
+    const [download] = await Promise.all([this.page.waitForEvent('download'), act()]);
+    await this.settled();
+    return {name: download.suggestedFilename(), bytes: await readFile(await download.path())};
   }
 
   /// What is on the screen: at(x, y) is [r, g, b] at a CSS pixel.

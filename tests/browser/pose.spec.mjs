@@ -4,33 +4,7 @@ import {readFile} from 'node:fs/promises';
 import {join} from 'node:path';
 
 import {isBody, root, test} from './harness.mjs';
-
-const posing = async (app) => (await app.stats()).posing;
-const joint = async (app, name) => {
-  const found = (await posing(app)).joints.find((one) => one.name === name);
-  assert.ok(found, `there is no joint ${name}`);
-  return found;
-};
-const poses = (app) => app.page.evaluate(() => marrow.document().poses ?? []);
-const apart = (a, b) => Math.hypot(...a.map((x, k) => x - b[k]));
-const ready = (app) => app.until(() => marrow.stats().posing.ready);
-const glidden = (app) => app.page.waitForTimeout(350).then(() => app.settled());
-
-/// A sample of the gallery in pose mode, once its skin fits.
-async function openPosing(app, name) {
-  const text = await readFile(join(root, 'public/samples', `${name}.json`), 'utf8');
-  await app.page.evaluate((json) => marrow.load(json), text);
-  await app.frames(2);
-  await app.key('f');
-  await app.key('p');
-  await ready(app);
-  await app.settled();
-}
-
-async function pull(app, name, [dx, dy], options) {
-  const [x, y] = (await joint(app, name)).pixel;
-  await app.drag([x, y], [x + dx, y + dy], options);
-}
+import {apart, glidden, joint, openPosing, poses, posing, pull, ready} from './posing.mjs';
 
 test('a limb follows the joint that is pulled, the others stay, and undo brings it back',
      async (app) => {

@@ -3,16 +3,11 @@
 import assert from 'node:assert/strict';
 import {spawnSync} from 'node:child_process';
 import fs from 'node:fs';
-import {createRequire} from 'node:module';
 import os from 'node:os';
 import path from 'node:path';
 import {fileURLToPath} from 'node:url';
 
-const require = createRequire(import.meta.url);
-const validator = require('gltf-validator');
-const THREE = await import('three');
-const {GLTFLoader} = await import('three/examples/jsm/loaders/GLTFLoader.js');
-globalThis.self = globalThis;
+import {checkJoints, heightOf, load, validate, worstVertex} from './gltf.mjs';
 
 const [native, wasm] = process.argv.slice(2);
 const here = path.dirname(fileURLToPath(import.meta.url));
@@ -48,36 +43,6 @@ function wave(tree) {
   return joints;
 }
 
-async function validate(name, glb) {
-  const {issues} = await validator.validateBytes(new Uint8Array(glb));
-  const faults = issues.messages.filter(({severity}) => severity < 2);
-  assert.deepEqual(faults, [], `${name}: the validator`);
-}
-
-async function load(glb) {
-  const bytes = glb.buffer.slice(glb.byteOffset, glb.byteOffset + glb.length);
-  const gltf = await new GLTFLoader().parseAsync(bytes, '');
-  const meshes = [];
-  gltf.scene.traverse((object) => { if (object.isMesh) meshes.push(object); });
-  return {gltf, meshes};
-}
-
-function checkJoints(name, meshes, tree) {
-  const names = new Map(tree.joints.map((joint) => [joint.id, joint.name]));
-  const plain = (words) => THREE.PropertyBinding.sanitizeNodeName(words);
-  const bones = meshes[0].skeleton.bones;
-  assert.equal(bones.length, tree.joints.length, name);
-  tree.joints.forEach((joint, i) => {
-    assert.equal(bones[i].name, plain(joint.name));
-    const parent = joint.parent ? plain(names.get(joint.parent)) : 'Skeleton';
-    assert.equal(bones[i].parent.name, parent);
-    const place = new THREE.Vector3().setFromMatrixPosition(bones[i].matrixWorld);
-    joint.position.forEach((x, k) => {
-      assert.ok(Math.abs(place.getComponent(k) - x * kMetresPerUnit) < 1e-4, joint.name);
-    });
-  });
-}
-
 /// Vertices and the triangles' corners, of an OBJ file of ours.
 function readObj(file) {
   const vertices = [], corners = new Map();  // group → vertex numbers
@@ -89,32 +54,6 @@ function readObj(file) {
     if (word === 'f') for (const corner of rest) group.push(parseInt(corner, 10) - 1);
   }
   return {vertices, groups: [...corners.values()]};
-}
-
-/// The largest distance of a vertex as three skins it to where `marrow pose` has it, of the size.
-function worstVertex({gltf, meshes}, clip, obj) {
-  const mixer = new THREE.AnimationMixer(gltf.scene);
-  mixer.clipAction(gltf.animations.find(({name}) => name === clip)).play();
-  mixer.update(0);
-  gltf.scene.updateMatrixWorld(true);
-  const place = new THREE.Vector3();
-  const box = new THREE.Box3();
-  for (const v of obj.vertices) box.expandByPoint(place.fromArray(v));
-  const size = box.getSize(new THREE.Vector3()).length();
-  let worst = 0;
-  assert.equal(meshes.length, obj.groups.length);
-  meshes.forEach((mesh, i) => {
-    mesh.skeleton.update();
-    const {index} = mesh.geometry;
-    assert.equal(index.count, obj.groups[i].length);
-    for (let k = 0; k < index.count; k += 5) {
-      mesh.getVertexPosition(index.getX(k), place);
-      mesh.localToWorld(place).divideScalar(kMetresPerUnit);
-      const ours = new THREE.Vector3().fromArray(obj.vertices[obj.groups[i][k]]);
-      worst = Math.max(worst, place.distanceTo(ours) / size);
-    }
-  });
-  return worst;
 }
 
 function checkReport(name, {merged, weights}) {
@@ -137,11 +76,10 @@ for (const file of files) {
   await validate(name, posed.glb);
   checkReport(name, posed.tree);
   const loaded = await load(posed.glb);
-  loaded.gltf.scene.updateMatrixWorld(true);
-  checkJoints(name, loaded.meshes, posed.tree);
+  checkJoints(loaded, posed.tree, kMetresPerUnit);
   const obj = path.join(folder, `${name}.obj`);
   run('native', 'pose', posed.file, '--pose', 'Wave', '--obj', obj);
-  const worst = worstVertex(loaded, 'Wave', readObj(obj));
+  const worst = worstVertex(loaded, 'Wave', readObj(obj), kMetresPerUnit);
   assert.ok(worst < 1e-4, `${name}: a vertex is off by ${worst} of the size`);
   console.log(`ok      ${name}: ${loaded.meshes[0].skeleton.bones.length} joints, a posed vertex is ` +
               `off by ${worst.toExponential(1)} at most`);
@@ -162,10 +100,7 @@ for (const file of files) {
   const binary = soft.glb.subarray(soft.glb.indexOf('BIN\0') + 4);
   const own = Buffer.from(bytes, 'base64');
   assert.ok(own.length > 1000 && binary.subarray(0, own.length).equals(own));
-  const height = async (glb) => {
-    const {gltf} = await load(glb);
-    return new THREE.Box3().setFromObject(gltf.scene).getSize(new THREE.Vector3()).y;
-  };
+  const height = async (glb) => heightOf(await load(glb));
   const plain = rig('native', {...snail, blend: 0}, 'plain');
   const times = await height(overruled.glb) / await height(plain.glb);
   assert.ok(Math.abs(times - 50) < 1e-3, `50 times as high: ${times}`);

@@ -129,7 +129,9 @@ TEST_CASE("workshop: other strokes need no new weights, and give what all anew w
   file.name = "dog";
   REQUIRE(workshop.work(fileRequest(dog, file), teller, noTime));
   CHECK(steps == 0);
-  CHECK(last.substr(0, 4) == "glTF");
+  const auto glb = fileFromBytes(last);
+  REQUIRE(glb);
+  CHECK(glb->bytes.substr(0, 4) == "glTF");
 }
 
 TEST_CASE("workshop: every kind of file is made, and an empty drawing is refused") {
@@ -202,6 +204,41 @@ TEST_CASE("figure: joints that the rig no longer has follow the one above them")
   }
 }
 
+TEST_CASE("figure: its vertices in a pose are where skinning by its weights has them") {
+  const Made made = make(figureRequest(sample("dog")));
+  REQUIRE(made.result);
+  Figure figure = made.figures.back();
+  Evaluation evaluation;
+  evaluation.update(sample("dog"));
+  const Rig& rig = evaluation.rig();
+  const auto unmoved =
+      posedVertices(figure, motionsOf(figure, rig, posed(rig, Pose{})), Skinning::linear);
+  for (size_t i = 0; i < figure.vertices.size(); ++i) {
+    const auto& p = figure.vertices[i].position;
+    if (distance(unmoved.positions[i], figure.origin + Vec3{p[0], p[1], p[2]}) > 1e-3) FAIL(i);
+  }
+  Random random(3);
+  const auto motions = motionsOf(figure, rig, posed(rig, randomPose(random, rig)));
+  figure.vertices[7].weights = {};
+  figure.vertices[7].joints = {};
+  const auto linear = posedVertices(figure, motions, Skinning::linear);
+  const auto dual = posedVertices(figure, motions, Skinning::dualQuaternions);
+  CHECK(distance(linear.positions[7], unmoved.positions[7]) < 1e-3);
+  for (size_t i = 0; i < figure.vertices.size(); ++i) {
+    const Figure::Vertex& vertex = figure.vertices[i];
+    if (i == 7) continue;
+    const Vec3 rest =
+        figure.origin + Vec3{vertex.position[0], vertex.position[1], vertex.position[2]};
+    Vec3 expected;
+    for (size_t k = 0; k < VertexSkin::kMost; ++k) {
+      expected = expected + motions[vertex.joints[k]](rest) * vertex.weights[k];
+    }
+    if (distance(linear.positions[i], expected) > 1e-3) FAIL(i);
+    // What one joint holds alone moves the same either way.
+    if (vertex.weights[0] == 1 && distance(linear.positions[i], dual.positions[i]) > 1e-3) FAIL(i);
+  }
+}
+
 namespace {
 
 /// A keeper and the drawing it looks at.
@@ -216,7 +253,7 @@ struct Desk {
     evaluation.update(document);
     keeper.see(document, evaluation, now_ms);
   }
-  std::optional<FigureKeeper::Order> wait(double ms, bool posing = false, bool busy = false) {
+  std::optional<WorkOrder> wait(double ms, bool posing = false, bool busy = false) {
     now_ms += ms;
     return keeper.update(document, busy, posing, now_ms);
   }
@@ -295,6 +332,27 @@ TEST_CASE("figure keeper: a coarser rig keeps the old weights until its own are 
   CHECK(desk.keeper.meshId() == old);  // better than a guess
   desk.keeper.made(second->number, desk.bytes(false));
   CHECK(desk.keeper.meshId() != old);
+  CHECK(desk.keeper.ready());
+}
+
+TEST_CASE("figure keeper: while seams get softer the figure of before is shown") {
+  Desk desk;
+  desk.show(sample("dog"));
+  const auto first = desk.wait(100, true);
+  REQUIRE(first);
+  desk.keeper.made(first->number, desk.bytes(false));
+  desk.keeper.ended(first->number, "");
+  auto soft = apply(desk.document, SetBlend{20});
+  REQUIRE(soft);
+  desk.show(*soft);
+  CHECK(desk.keeper.figure());
+  CHECK_FALSE(desk.keeper.ready());
+  const uint64_t sharp = desk.keeper.meshId();
+  const auto second = desk.wait(100, true);
+  REQUIRE(second);
+  desk.keeper.made(second->number, desk.bytes(true));
+  CHECK(desk.keeper.meshId() != sharp);  // a guess of the new shape is better than the old one
+  desk.keeper.made(second->number, desk.bytes(false));
   CHECK(desk.keeper.ready());
 }
 

@@ -103,6 +103,17 @@ Vec3 toVec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
 
+std::vector<std::string> leftOutOf(const Character& character) {
+  std::vector<std::string> sentences;
+  for (const Character::LeftOut& out : character.left_out) {
+    const auto paint = std::find_if(character.paints.begin(), character.paints.end(),
+                                    [&](const Paint& one) { return one.part == out.part; });
+    const std::string name = paint != character.paints.end() ? paint->name : out.part;
+    sentences.push_back(name + " is left out: " + out.why + ".");
+  }
+  return sentences;
+}
+
 Result<Figure> figureOf(const Character& character, const Evaluation& evaluation) {
   if (character.meshes.size() != 1) return {Status::meshFailed, "There is no figure."};
   const Rig& rig = evaluation.rig();
@@ -135,12 +146,7 @@ Result<Figure> figureOf(const Character& character, const Evaluation& evaluation
     figure.triangles[next[mesh.paint_of_triangle[t]]++] = mesh.mesh.triangles[t];
   }
   for (const Rig::Joint& joint : rig.joints) figure.joints.push_back({joint.id, joint.parent});
-  for (const Character::LeftOut& out : character.left_out) {
-    const auto paint = std::find_if(character.paints.begin(), character.paints.end(),
-                                    [&](const Paint& one) { return one.part == out.part; });
-    const std::string name = paint != character.paints.end() ? paint->name : out.part;
-    figure.left_out.push_back(name + " is left out of the figure: " + out.why + ".");
-  }
+  figure.left_out = leftOutOf(character);
   return figure;
 }
 
@@ -188,25 +194,28 @@ std::vector<Rigid> motionsOf(const Figure& figure, const Rig& rig,
   return motions;
 }
 
-std::vector<Vec3> posedVertices(const Figure& figure, const std::vector<Rigid>& motions,
-                                Skinning how) {
+SkinnedVertices posedVertices(const Figure& figure, const std::vector<Rigid>& motions,
+                              Skinning how) {
   std::vector<Vec3> positions, normals;
-  std::vector<VertexSkin> skins;
-  for (const Figure::Vertex& vertex : figure.vertices) {
+  std::vector<VertexSkin> skins(figure.vertices.size());
+  for (size_t i = 0; i < figure.vertices.size(); ++i) {
+    const Figure::Vertex& vertex = figure.vertices[i];
     positions.push_back(figure.origin + toVec(vertex.position));
     normals.push_back(toVec(vertex.normal));
-    VertexSkin own;
     for (size_t k = 0; k < VertexSkin::kMost; ++k) {
-      own.joints[k] = vertex.joints[k];
-      own.weights[k] = vertex.weights[k];
+      skins[i].joints[k] = vertex.joints[k];
+      skins[i].weights[k] = vertex.weights[k];
     }
-    skins.push_back(own);
   }
-  const bool follows = !skins.empty() && skins.front().weights[0] > 0;
-  if (!follows) return positions;
+  if (motions.empty()) return {std::move(positions), std::move(normals)};
   SkinnedVertices result;
   skin(positions, normals, skins, motions, how, result);
-  return std::move(result.positions);
+  for (size_t i = 0; i < figure.vertices.size(); ++i) {
+    if (figure.vertices[i].weights[0] > 0) continue;  // the largest comes first
+    result.positions[i] = positions[i];
+    result.normals[i] = normals[i];
+  }
+  return result;
 }
 
 }  // namespace marrow

@@ -38,6 +38,9 @@ struct Figure {
   double made_ms = 0;                 // how long it took
 };
 
+/// A sentence for each part that is not in it.
+std::vector<std::string> leftOutOf(const Character& character);
+
 /// Of a merged character. Errors: tooMany joints to be numbered in 16 bits; meshFailed without a
 /// mesh.
 Result<Figure> figureOf(const Character& character, const Evaluation& evaluation);
@@ -51,8 +54,9 @@ Result<Figure> figureFromBytes(const std::string& bytes);
 /// the rig does not have follow the nearest above them that it has.
 std::vector<Rigid> motionsOf(const Figure& figure, const Rig& rig, const std::vector<Rigid>& posed);
 
-/// Where the vertices are in a pose, in space. motions: of the figure's joints. O(vertices).
-std::vector<Vec3> posedVertices(const Figure& figure, const std::vector<Rigid>& motions,
-                                Skinning how);
+/// Where its vertices are in a pose, in space, as the GPU is to show them. motions: of the figure's
+/// joints.
+SkinnedVertices posedVertices(const Figure& figure, const std::vector<Rigid>& motions,
+                              Skinning how);
 
 }  // namespace marrow

@@ -6,21 +6,21 @@
 
 namespace marrow {
 void FigureKeeper::see(const Document& document, const Evaluation& evaluation, double now_ms) {
-  const Keys now{meshKey(document, evaluation), bodyKey(document, evaluation),
+  const Keys now{partsKey(evaluation), meshKey(document, evaluation), bodyKey(document, evaluation),
                  strokesKey(document)};
   if (now.body != wanted_.body) changed_ms_ = now_ms;
   if (!(now == wanted_)) failure_.clear();
   wanted_ = now;
-  shown_ = made_ && of_.mesh == wanted_.mesh ? made_ : nullptr;
+  shown_ = made_ && of_.parts == wanted_.parts ? made_ : nullptr;
 }
 
-std::optional<FigureKeeper::Order> FigureKeeper::update(const Document& document, bool busy,
-                                                        bool posing, double now_ms) {
+std::optional<WorkOrder> FigureKeeper::update(const Document& document, bool busy, bool posing,
+                                              double now_ms) {
   due_ms_ = std::numeric_limits<double>::infinity();
   if (number_ != 0 && begun_.body != wanted_.body) {
     number_ = 0;
     begun_ = {};
-    return Order{};
+    return WorkOrder{};
   }
   if (number_ != 0 || wanted_.body == 0 || !failure_.empty() || ready()) return std::nullopt;
   // Other strokes over the same weights take no time to speak of.
@@ -36,7 +36,7 @@ std::optional<FigureKeeper::Order> FigureKeeper::update(const Document& document
   begun_ = wanted_;
   done_ = 0;
   number_ = ++ordered_;
-  return Order{number_, figureRequest(document)};
+  return WorkOrder{number_, figureRequest(document)};
 }
 
 void FigureKeeper::made(uint64_t number, const std::string& bytes) {
@@ -52,7 +52,7 @@ void FigureKeeper::made(uint64_t number, const std::string& bytes) {
   made_ = std::make_shared<const Figure>(std::move(*figure));
   of_ = begun_;
   ++mesh_id_;
-  shown_ = of_.mesh == wanted_.mesh ? made_ : nullptr;
+  shown_ = of_.parts == wanted_.parts ? made_ : nullptr;
 }
 
 void FigureKeeper::progress(uint64_t number, double done) {

@@ -10,6 +10,7 @@
 
 #include "document/evaluation.h"
 #include "figure/figure.h"
+#include "figure/work_order.h"
 
 namespace marrow {
 
@@ -18,17 +19,11 @@ class FigureKeeper {
   // How long the drawing must stay as it is before work begins.
   static constexpr double kCalm_ms = 900, kCalmWhilePosing_ms = 80;
 
-  /// What the platform is to do: begin this work in place of what is under way; an empty request:
-  /// only give that up.
-  struct Order {
-    uint64_t number = 0;
-    std::string request;
-  };
   /// Looks at the drawing after every change of it.
   void see(const Document& document, const Evaluation& evaluation, double now_ms);
   /// Once a frame, with the document seen last. busy: it is changing under a hand. posing: somebody
   /// waits.
-  std::optional<Order> update(const Document& document, bool busy, bool posing, double now_ms);
+  std::optional<WorkOrder> update(const Document& document, bool busy, bool posing, double now_ms);
   /// When `update` has something to do even if nothing happens.
   double due_ms() const { return due_ms_; }
 
@@ -38,7 +33,8 @@ class FigureKeeper {
   /// why: a sentence where the work came to nothing.
   void ended(uint64_t number, const std::string& why);
 
-  /// Of the drawing's present mesh, or null. Its weights may be a guess, or of the rig before.
+  /// Of the drawing's present parts, or null. Its seams may still be as soft as they were before;
+  /// its weights may be a guess, or of the rig before.
   const std::shared_ptr<const Figure>& figure() const { return shown_; }
   /// Changes with the figure; never reused, nor that of any other mesh.
   uint64_t meshId() const { return mesh_id_; }
@@ -53,9 +49,10 @@ class FigureKeeper {
  private:
   /// See workshop.h; 0: nothing.
   struct Keys {
-    uint64_t mesh = 0, body = 0, strokes = 0;
+    uint64_t parts = 0, mesh = 0, body = 0, strokes = 0;
     bool operator==(const Keys& other) const {
-      return mesh == other.mesh && body == other.body && strokes == other.strokes;
+      return parts == other.parts && mesh == other.mesh && body == other.body &&
+             strokes == other.strokes;
     }
   };
 

@@ -55,23 +55,7 @@ const Error kStopped{Status::meshFailed, "It was given up."};
 
 }  // namespace
 
-const char* toString(Format format) {
-  switch (format) {
-    case Format::glb:
-      return "glb";
-    case Format::gltf:
-      return "gltf";
-    case Format::obj:
-      return "obj";
-    case Format::stl:
-      return "stl";
-    case Format::ply:
-      return "ply";
-  }
-  return "";
-}
-
-uint64_t meshKey(const Document& document, const Evaluation& evaluation) {
+uint64_t partsKey(const Evaluation& evaluation) {
   uint64_t key = 0;
   for (const PlacedPart& placed : evaluation.placed()) {
     const EvaluatedPart& part = evaluation.parts()[placed.source];
@@ -79,6 +63,11 @@ uint64_t meshKey(const Document& document, const Evaluation& evaluation) {
     key = mixed(mixedNumbers(key + 1, part.meshOf(placed)), placed.id);
     key = mixedNumbers(key, placed.frame);
   }
+  return key;
+}
+
+uint64_t meshKey(const Document& document, const Evaluation& evaluation) {
+  const uint64_t key = partsKey(evaluation);
   return key == 0 ? 0 : mixedNumbers(key, document.blend);
 }
 
@@ -107,6 +96,25 @@ std::string figureRequest(const Document& document) { return "{}\n" + writeDocum
 
 std::string fileRequest(const Document& document, const FileOptions& options) {
   return toText(Json{{"file", toJson(options)}}) + "\n" + writeDocument(document);
+}
+
+std::string toBytes(const MadeFile& file) {
+  return toText(Json{{"leftOut", file.left_out}, {"size", file.bytes.size()}}) + "\n" + file.bytes;
+}
+
+Result<MadeFile> fileFromBytes(const std::string& bytes) {
+  const size_t end = bytes.find('\n');
+  const auto head = parseJson(bytes.substr(0, end));
+  const Error broken{Status::unreadable, "The file did not arrive whole."};
+  if (end == std::string::npos || !head || !head->is_object()) return broken;
+  MadeFile file;
+  file.bytes = bytes.substr(end + 1);
+  const Json *size = field(*head, "size"), *left_out = field(*head, "leftOut");
+  if (!size || *size != file.bytes.size() || !left_out || !left_out->is_array()) return broken;
+  for (const Json& sentence : *left_out) {
+    if (sentence.is_string()) file.left_out.push_back(sentence.get<std::string>());
+  }
+  return file;
 }
 
 Result<bool> Workshop::work(const std::string& request, const WorkTeller& tell, Clock clock) {
@@ -169,7 +177,7 @@ Result<bool> Workshop::makeFile(const Document& document, const FileOptions& opt
     return {Status::meshFailed, "There is nothing to be saved: no part is shown."};
   }
   const Rig& rig = evaluation_.rig();
-  const bool is_gltf = options.format == Format::glb || options.format == Format::gltf;
+  const bool is_gltf = options.hasBones();
   const NamedPose* pose = document.findPose(options.pose);
   const bool needs_weights = is_gltf ? options.weights : pose != nullptr;
   CharacterWatch watch;
@@ -201,7 +209,7 @@ Result<bool> Workshop::makeFile(const Document& document, const FileOptions& opt
                                             : toPly(body, character.paints);
   }
   if (!bytes) return {Status::meshFailed, "It is too large for such a file."};
-  tell.made(std::move(*bytes));
+  tell.made(toBytes(MadeFile{leftOutOf(character), std::move(*bytes)}));
   return true;
 }
 

@@ -10,6 +10,7 @@
 #include "base/timing.h"
 #include "character/painting.h"
 #include "document/document.h"
+#include "figure/file_options.h"
 
 namespace marrow {
 
@@ -20,24 +21,15 @@ struct WorkTeller {
   std::function<bool(double done)> progress;
 };
 
-/// A character as a file.
-struct FileOptions {
-  enum class Format : uint8_t { glb, gltf, obj, stl, ply };
-
-  Format format = Format::glb;
-  std::string name;               // of the drawing
-  double metres_per_unit = 0.01;  // glb, gltf
-  bool parts = false;             // glb, gltf: a mesh for each part, in place of one body
-  bool weights = true;            // glb, gltf: with a skin
-  std::string pose;               // of the others: the pose it has; empty, or none's: at rest
-  Skinning skinning = Skinning::linear;
-};
-const char* toString(FileOptions::Format format);  // "glb": also the file's ending
-
 /// Asks for the Figure of a document.
 std::string figureRequest(const Document& document);
-/// Asks for the bytes of a file.
+/// Asks for a MadeFile.
 std::string fileRequest(const Document& document, const FileOptions& options);
+
+/// The bytes a file travels in; only for the same build of the app.
+std::string toBytes(const MadeFile& file);
+/// Errors: unreadable.
+Result<MadeFile> fileFromBytes(const std::string& bytes);
 
 class Workshop {
  public:
@@ -59,6 +51,8 @@ class Workshop {
   std::unique_ptr<Painting> painting_;  // on the body
 };
 
+/// Of the parts that are shown and where they are; 0 where nothing is.
+uint64_t partsKey(const Evaluation& evaluation);
 /// Of all that a merged body is made of, but for its weights; 0 where nothing is shown.
 uint64_t meshKey(const Document& document, const Evaluation& evaluation);
 /// Of that, and of what the weights depend on before they are painted over.

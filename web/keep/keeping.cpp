@@ -15,7 +15,8 @@ constexpr size_t kLongestName = 80;  // bytes
 /// Parts that did not change are shared, so that this costs no more than a look at each.
 bool same(const Document& a, const Document& b) {
   return a.drawing == b.drawing && a.parts == b.parts && a.references == b.references &&
-         a.refine == b.refine && a.symmetry == b.symmetry && a.last_part == b.last_part &&
+         a.refine == b.refine && a.symmetry == b.symmetry && a.poses == b.poses &&
+         a.blend == b.blend && a.weight_strokes == b.weight_strokes && a.last_part == b.last_part &&
          a.extra == b.extra;
 }
 
@@ -61,6 +62,8 @@ const char* toString(Job::Kind kind) {
       return "picture";
     case Job::Kind::work:
       return "work";
+    case Job::Kind::hand_over:
+      return "handOver";
     case Job::Kind::decode:
       return "decode";
   }

@@ -26,8 +26,11 @@ struct Job {
     restore,  // open the kept drawing `slot`
     dismiss,  // the kept drawing `slot` need not be offered again
     picture,  // a picture that the user chooses
-    work,     // `text` is done elsewhere (figure/workshop.h) in place of what is under way; empty: stop
-    decode,   // the pixels of the picture `drawing`: `text` is a data URL
+    work,     // `text` is done elsewhere (figure/workshop.h) in place of what is under way; empty:
+              // stop
+    hand_over,  // `text`, a finished file, to where the user chooses; called `name`, with its
+                // ending
+    decode,     // the pixels of the picture `drawing`: `text` is a data URL
   };
   Kind kind = Kind::open;
   uint64_t id = 0;

@@ -30,6 +30,8 @@ struct FileAction {
     dismiss,    // as above
     rename,     // the drawing, to `what`
     picture,    // choose a picture to draw after
+    make,       // a file of the character, as UiState::exporting says; `what`: its name or path
+    give_up,    // that file
   };
   Kind kind = Kind::begin;
   std::string what;

@@ -132,6 +132,10 @@ void drawFilePanel(const PanelInput& input, UiState& ui, Requests& requests) {
     row("save", kIconSave, "Save", "Ctrl S", Kind::save);
     row("save as", kIconSaveAll, "Save as\xE2\x80\xA6", "Shift Ctrl S", Kind::save_as);
   }
+  if (menuRow("export", kIconDownload, "Export\xE2\x80\xA6", "GLB, OBJ, STL", height)) {
+    ui.openOnly(&PanelsOpen::exporting);
+    requests.again = true;
+  }
   if (menuRow("samples", kIconShapes, "Samples", "", height)) {
     ui.openOnly(&PanelsOpen::gallery);
     requests.again = true;
@@ -145,7 +149,9 @@ void drawFilePanel(const PanelInput& input, UiState& ui, Requests& requests) {
 void drawOffer(const PanelInput& input, UiState& ui, Requests& requests) {
   const Recent* offer = input.shelf.keeping.offer();
   const PanelsOpen& open = ui.open;
-  if (!offer || input.drawing || open.file || open.gallery || open.picture) return;
+  if (!offer || input.drawing || open.file || open.gallery || open.picture || open.exporting) {
+    return;
+  }
   const Recent recent = *offer;
   const float side = ui.touch() ? 44.0f : 34.0f;
   PanelBox box;

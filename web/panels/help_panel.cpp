@@ -19,6 +19,7 @@ constexpr Entry kFingers[] = {
     {"Symmetry", "the mirror below the tools: limbs get a twin on the other side"},
     {"Line", "the fifth tool: the line of symmetry; half a shape along it is completed"},
     {"Pose", "the figure below the tools: drag a limb or a joint; drag beside it to look around"},
+    {"Export", "the menu at the top left: a file for Blender, games or 3D printing"},
     {"Undo", "the arrow at the top left; every step comes back"},
 };
 constexpr Entry kDrawing[] = {
@@ -49,6 +50,7 @@ constexpr Entry kPosing[] = {
 constexpr Entry kFiles[] = {
     {"Open", "Ctrl O, or drop a file on the canvas: a drawing or a 3D model"},
     {"Save", "Ctrl S; Shift Ctrl S: in another file"},
+    {"Export", "in the menu at the top left: a file for Blender, games or 3D printing"},
 };
 constexpr Entry kLooking[] = {
     {"Turn", "right button, or Alt and drag, or the ball in the corner"},

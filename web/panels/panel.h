@@ -9,6 +9,7 @@
 #include "document/evaluation.h"
 #include "document/history.h"
 #include "figure/figure_keeper.h"
+#include "figure/file_maker.h"
 #include "keep/shelf.h"
 #include "meter.h"
 #include "scene_builder.h"
@@ -27,7 +28,8 @@ struct PanelInput {
   const Shelf& shelf;
   const Stance& stance;  // while poses are made
   const FigureKeeper& figure;
-  bool drawing = false;  // a stroke is under way
+  const FileMaker& file;  // being made
+  bool drawing = false;   // a stroke is under way
 };
 
 struct Requests {
@@ -61,6 +63,8 @@ void drawFilePanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawOffer(const PanelInput& input, UiState& ui, Requests& requests);
 /// Poses, while they are made.
 void drawPosePanel(const PanelInput& input, UiState& ui, Requests& requests);
+/// The character as a file.
+void drawExportPanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawGalleryPanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawReferencePanel(const PanelInput& input, UiState& ui, Requests& requests);
 void drawHint(const PanelInput& input, UiState& ui, Requests& requests);

@@ -41,11 +41,9 @@ struct Side {
   const char* name;
   bool PanelsOpen::*open;
 };
-constexpr Side kLeft[] = {{"file", &PanelsOpen::file},
-                          {"gallery", &PanelsOpen::gallery},
-                          {"picture", &PanelsOpen::picture},
-                          {"help panel", &PanelsOpen::help},
-                          {"parts", &PanelsOpen::parts}};
+constexpr Side kLeft[] = {{"file", &PanelsOpen::file},       {"gallery", &PanelsOpen::gallery},
+                          {"picture", &PanelsOpen::picture}, {"export", &PanelsOpen::exporting},
+                          {"help panel", &PanelsOpen::help}, {"parts", &PanelsOpen::parts}};
 
 }  // namespace
 
@@ -179,7 +177,7 @@ Insets PanelLayer::covered(const UiState& ui, bool by_model_sheets) const {
     covered.*side = std::max(covered.*side, taken);
   };
   const auto sheet_side = lowCanvas(ui) ? &Insets::right : &Insets::bottom;
-  for (const char* name : {"part", "parts", "refine", "pose", "view sheet"}) {
+  for (const char* name : {"part", "parts", "refine", "pose", "export", "view sheet"}) {
     if (ui.narrow()) cover(name, sheet_side);
   }
   if (by_model_sheets) return covered;
@@ -214,6 +212,7 @@ Requests PanelLayer::frame(const PanelInput& input, UiState& ui) {
   drawPartPanel(input, ui, requests);
   drawPosePanel(input, ui, requests);
   drawFilePanel(input, ui, requests);
+  drawExportPanel(input, ui, requests);
   drawGalleryPanel(input, ui, requests);
   drawReferencePanel(input, ui, requests);
   drawOffer(input, ui, requests);

@@ -36,7 +36,7 @@ class PosePanel {
 
   void draw() {
     beginPanel("pose", ui_.narrow() ? sheetBox(ui_) : columnBox(ui_));
-    if (titleRow("Poses", ui_)) close();
+    title();
     progress();
     if (posing_.weights != Posing::Weights::hidden) {  // these need the room
       weights();
@@ -57,6 +57,20 @@ class PosePanel {
   }
 
  private:
+  void title() {
+    const ImVec2 at = ImGui::GetCursorPos();
+    const float side = ui_.touch() ? 44.0f : 32.0f;
+    const float right = at.x + ImGui::GetContentRegionAvail().x + 6;
+    if (titleRow("Poses", ui_)) close();
+    const ImVec2 below = ImGui::GetCursorPos();
+    ImGui::SetCursorPos({right - 2 * side - 4, at.y});
+    if (iconButton("export", kIconDownload, side, {"Export: a file for Blender or games"})) {
+      ui_.openOnly(&PanelsOpen::exporting);
+      requests_.again = true;
+    }
+    ImGui::SetCursorPos(below);
+  }
+
   void close() {
     if (ui_.narrow()) {
       ui_.open.pose = false;

@@ -15,7 +15,7 @@ void drawToolbar(const PanelInput& input, UiState& ui, Requests& requests) {
   const float side = buttonSide(ui);
   const History& history = input.history;
 
-  ButtonLook look{ui.open.file ? "" : "Open, save, samples and recent drawings"};
+  ButtonLook look{ui.open.file ? "" : "Open, save, export, samples and recent drawings"};
   look.on = ui.open.file;
   if (iconButton("file", kIconMenu, side, look)) {
     if (ui.open.file) {

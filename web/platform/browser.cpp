@@ -204,6 +204,30 @@ EMSCRIPTEN_KEEPALIVE const uint32_t* marrow_mesh(int index) {
   return table;
 }
 
+/// The same of the figure as it is posed; null while there is none. Valid until the next call.
+EMSCRIPTEN_KEEPALIVE const uint32_t* marrow_posed() {
+  static uint32_t table[5];
+  static marrow::SkinnedVertices vertices;
+  const auto& figure = page->app.figure().figure();
+  if (!figure) return nullptr;
+  vertices = marrow::posedFigure(page->app);
+  table[0] = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(vertices.positions.data()));
+  table[1] = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(vertices.normals.data()));
+  table[2] = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(figure->triangles.data()));
+  table[3] = static_cast<uint32_t>(vertices.positions.size());
+  table[4] = static_cast<uint32_t>(figure->triangles.size());
+  return table;
+}
+
+/// Address and length of a job's bytes, given once and valid until the next call.
+EMSCRIPTEN_KEEPALIVE const uint32_t* marrow_job_bytes(double job) {
+  static uint32_t table[2];
+  page->answer = page->files.takeText(static_cast<uint64_t>(job));
+  table[0] = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(page->answer.data()));
+  table[1] = static_cast<uint32_t>(page->answer.size());
+  return table;
+}
+
 }  // extern "C"
 
 int main() {

@@ -50,6 +50,7 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
     say(sentence) { call('say', sentence); wake(); },
   };
   marrowFiles(host);
+  marrowExports(host);
   marrowPictures(host);
   marrowStorage(host);
   marrowWorker(host);
@@ -206,6 +207,18 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
   };
   slices.port2.postMessage(0);
 
+  function meshAt(address) {
+    const table = address >> 2;
+    if (!table) return null;
+    const doubles = (at, count) => HEAPF64.slice(at >> 3, (at >> 3) + count);
+    const vertices = HEAPU32[table + 3], triangles = HEAPU32[table + 2] >> 2;
+    return {
+      positions: doubles(HEAPU32[table], 3 * vertices),
+      normals: doubles(HEAPU32[table + 1], 3 * vertices),
+      triangles: HEAPU32.slice(triangles, triangles + 3 * HEAPU32[table + 4]),
+    };
+  }
+
   Object.assign(window.marrow, {
     document: () => call('document'),
     async load(json) {
@@ -215,17 +228,8 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
     },
     parts: () => call('parts'),
     rig: () => call('rig'),
-    mesh(index) {
-      const table = _marrow_mesh(index) >> 2;
-      if (!table) return null;
-      const doubles = (address, count) => HEAPF64.slice(address >> 3, (address >> 3) + count);
-      const vertices = HEAPU32[table + 3], triangles = HEAPU32[table + 2] >> 2;
-      return {
-        positions: doubles(HEAPU32[table], 3 * vertices),
-        normals: doubles(HEAPU32[table + 1], 3 * vertices),
-        triangles: HEAPU32.slice(triangles, triangles + 3 * HEAPU32[table + 4]),
-      };
-    },
+    mesh: (index) => meshAt(_marrow_mesh(index)),
+    posed: () => meshAt(_marrow_posed()),
     undo() { const done = call('undo'); wake(); return done; },
     redo() { const done = call('redo'); wake(); return done; },
     stats: () => Object.assign(call('stats'), {idle: !scheduled, contextLosses}),

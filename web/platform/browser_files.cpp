@@ -78,6 +78,14 @@ std::string BrowserFiles::jobs() {
   return toText(answer);
 }
 
+std::string BrowserFiles::takeText(uint64_t job) {
+  const auto found = texts_.find(job);
+  if (found == texts_.end()) return {};
+  std::string text = std::move(found->second);
+  texts_.erase(found);
+  return text;
+}
+
 std::string BrowserFiles::openFile(const std::string& head, const std::string& bytes) {
   const Json json = split(head).head;
   Origin origin;
@@ -92,13 +100,7 @@ std::optional<std::string> BrowserFiles::call(const std::string& name, const std
   Keeping& keeping = app_.shelf().keeping;
   const std::string done = "true";
   if (name == "jobs") return jobs();
-  if (name == "jobText") {
-    const auto found = texts_.find(number(text));
-    if (found == texts_.end()) return std::string();
-    std::string job_text = std::move(found->second);
-    texts_.erase(found);
-    return job_text;
-  }
+  if (name == "jobText") return takeText(number(text));
   if (name == "open") {
     const Message message = split(text);
     Origin origin;

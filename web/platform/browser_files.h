@@ -15,6 +15,8 @@ class BrowserFiles {
   /// The answer to a call of the scripts; nothing where the name is none of theirs. What comes with
   /// a long text has it after the first line.
   std::optional<std::string> call(const std::string& name, const std::string& text);
+  /// The text of a job, once.
+  std::string takeText(uint64_t job);
   /// The same for a file as it is. head: JSON that says where it comes from.
   std::string openFile(const std::string& head, const std::string& bytes);
 

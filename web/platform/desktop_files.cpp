@@ -138,6 +138,9 @@ void DesktopFiles::perform(const Job& job) {
     case Job::Kind::work:
       worker_.begin(job.number, job.text);
       break;
+    case Job::Kind::hand_over:
+      handOver(job);
+      break;
     case Job::Kind::decode: {
       const auto texture = static_cast<TextureId>(job.drawing);
       if (auto pixels = pixelsOf(job.text)) {
@@ -162,6 +165,15 @@ void DesktopFiles::save(const Job& job) {
   places_[job.drawing] = path;
   app_.shelf().keeping.saved(job.id, nameOfFile(path), path);
   app_.say("Saved " + withoutFolder(path) + ".");
+}
+
+void DesktopFiles::handOver(const Job& job) {
+  const std::string& path = job.name;
+  app_.say(writeAll(path, job.text)
+               ? "Saved " + withoutFolder(path) + "."
+               : path +
+                     " cannot be written. Is the folder there, and are you allowed to write to "
+                     "it?");
 }
 
 void DesktopFiles::restore(const std::string& slot) {

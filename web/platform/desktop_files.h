@@ -32,6 +32,7 @@ class DesktopFiles {
  private:
   void perform(const Job& job);
   void save(const Job& job);
+  void handOver(const Job& job);
   void restore(const std::string& slot);
   void list(bool offering);
 

@@ -54,14 +54,17 @@ function marrowFiles(host) {
     if (file) await open(file);
   };
 
-  function download(job, text) {
-    const name = job.name + '.json';
-    const address = URL.createObjectURL(new Blob([text], {type: 'application/json'}));
+  host.download = (name, type, content) => {
+    const address = URL.createObjectURL(new Blob([content], {type}));
     const link = document.createElement('a');
     link.href = address;
     link.download = name;
     link.click();
     setTimeout(() => URL.revokeObjectURL(address), 60000);
+  };
+  function download(job, text) {
+    const name = job.name + '.json';
+    host.download(name, 'application/json', text);
     host.call('saved', JSON.stringify({job: job.id, name: job.name, place: ''}));
     host.say(`Saved as ${name} among your downloads.`);
   }

@@ -36,7 +36,7 @@ function marrowWorker(host) {
     number = lastNumber = job.number;
     const fail = () => {
       end();
-      ended('The skin could not be fitted: this browser does not let the app work in the background.');
+      ended('This did not work: the browser does not let the app work in the background, or has no memory left.');
       host.wake();
     };
     try {

@@ -20,7 +20,8 @@ SeenFigure::SeenFigure(std::shared_ptr<const Figure> figure, const std::vector<R
                        Skinning how, const Camera& camera, ViewSize size)
     : figure_(std::move(figure)) {
   const Vec3 back = camera.axes()[2];
-  for (const Vec3 at : posedVertices(*figure_, motions, how)) {
+  const SkinnedVertices posed = posedVertices(*figure_, motions, how);
+  for (const Vec3 at : posed.positions) {
     const Vec2 pixel = camera.toScreen(at, size);
     seen_.push_back({pixel.x, pixel.y, dot(back, at)});
   }

@@ -1,0 +1,50 @@
+// What counts as a change of a drawing, and is kept.
+#include "keep/keeping.h"
+
+#include "document/command.h"
+#include "document/evaluation.h"
+#include "support/catch.h"
+#include "support/samples.h"
+
+namespace marrow {
+namespace {
+
+/// Whether the step is a change to be saved, and is kept by itself.
+bool isKept(const Command& command) {
+  Keeping keeping;
+  Document document = samples().front().document;
+  Origin origin;
+  origin.kept = true;
+  document.drawing = keeping.add(document, origin);
+  keeping.update(document, 0, false);
+  CHECK_FALSE(keeping.changed());
+  const auto changed = apply(document, command);
+  REQUIRE(changed);
+  keeping.update(*changed, 1, false);
+  const bool differs = keeping.changed();
+  keeping.takeJobs();
+  keeping.update(*changed, 1 + Keeping::kKeepAfter_ms, false);
+  const auto jobs = keeping.takeJobs();
+  CHECK(differs == !jobs.empty());
+  return differs;
+}
+
+}  // namespace
+
+TEST_CASE("keeping: poses, soft seams and strokes of the brush are changes like any other") {
+  const Document& document = samples().front().document;
+  CHECK(isKept(SetPose{"Sit", {}}));
+  CHECK(isKept(SetBlend{12}));
+  Evaluation evaluation;
+  evaluation.update(document);
+  const Rig::Joint& joint = evaluation.rig().joints[1];
+  WeightStroke stroke;
+  stroke.part = evaluation.placed()[joint.part].id;
+  stroke.joint = joint.id;
+  stroke.radius = 40;
+  stroke.points = {joint.position};
+  CHECK(isKept(AddWeightStroke{stroke}));
+  CHECK_FALSE(isKept(SetBlend{document.blend}));
+}
+
+}  // namespace marrow
