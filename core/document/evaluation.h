@@ -21,7 +21,7 @@ struct EvaluatedPart {
   Error error;
   std::shared_ptr<const Part> twin;  // in the mirror z = 0, where it is imported: a drawn one is
                                      // the same there
-  uint64_t mesh_id = 0;  // changes when the mesh does; never reused
+  uint64_t mesh_id = 0;              // changes when the mesh does; never reused
   uint64_t twin_mesh_id = 0;
   uint64_t skeleton_id = 0;  // changes when joints or bones do; never reused
 

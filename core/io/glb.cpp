@@ -237,8 +237,8 @@ class Writer {
     for (const Paint& paint : character_.paints) {
       tinygltf::Material material;
       material.name = paint.name;
-      material.pbrMetallicRoughness.baseColorFactor = {
-          linear(paint.color.r), linear(paint.color.g), linear(paint.color.b), 1};
+      material.pbrMetallicRoughness.baseColorFactor = {linear(paint.color.r), linear(paint.color.g),
+                                                       linear(paint.color.b), 1};
       material.pbrMetallicRoughness.metallicFactor = 0;
       material.pbrMetallicRoughness.roughnessFactor = 0.8;
       model_.materials.push_back(std::move(material));

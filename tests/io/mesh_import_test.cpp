@@ -186,7 +186,8 @@ TEST_CASE("mesh import: a character that was exported comes back as one solid at
   SkinnedMesh body = skinnedMesh(sphereMesh({50, 20, 10}, 30, 3));
   body.skin.resize(body.mesh.positions.size());
   for (VertexSkin& skin : body.skin) skin.weights = {1, 0, 0, 0};
-  const auto bytes = toGlb({"Ball", rig, {body}, {{"Paint", {}, {}}}, {}, "{\"format\": \"marrow\"}"});
+  const auto bytes =
+      toGlb({"Ball", rig, {body}, {{"Paint", {}, {}}}, {}, "{\"format\": \"marrow\"}"});
   REQUIRE(bytes);
   const auto mesh = readMesh(*bytes, MeshFormat::glb);
   REQUIRE(mesh);

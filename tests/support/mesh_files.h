@@ -22,7 +22,9 @@ inline SkinnedMesh skinnedMesh(const Mesh& mesh) {
 
 inline std::string objOf(const Mesh& mesh) { return toObj(skinnedMesh(mesh), {{"Paint", {}, {}}}); }
 inline std::string stlOf(const Mesh& mesh) { return *toStl(skinnedMesh(mesh)); }
-inline std::string plyOf(const Mesh& mesh) { return *toPly(skinnedMesh(mesh), {{"Paint", {}, {}}}); }
+inline std::string plyOf(const Mesh& mesh) {
+  return *toPly(skinnedMesh(mesh), {{"Paint", {}, {}}});
+}
 
 inline std::string numbersOf(Vec3 p) {
   return toText(toJson(p.x)) + ' ' + toText(toJson(p.y)) + ' ' + toText(toJson(p.z));
