@@ -33,6 +33,7 @@ void App::replace(Document document, const Origin& origin, const std::string& st
   document.drawing = shelf_.keeping.add(document, origin);
   apply(ReplaceDocument{std::move(document), step});
   ui_.selection.clear();
+  ui_.posing.forgetCharacter();
   shelf_.keeping.withdrawOffer();
   update();
   shelf_.keeping.update(this->document(), ui_.now_ms, false);

@@ -86,6 +86,9 @@ Pose App::wantedPose() const {
 }
 
 void App::updateStance() {
+  if (ui_.tool == ToolKind::pose && evaluation_.rig().bones.empty()) {
+    useTool(ToolKind::draw);  // there is nothing left to pose
+  }
   if (ui_.tool != ToolKind::pose) {
     stance_ = {};
     stance_rig_ = 0;

@@ -87,6 +87,15 @@ struct Posing {
   std::optional<WeightStroke::Kind> brush;  // a drag paints weights, while they are shown
   static constexpr double kLeastBrush_px = 6, kLargestBrush_px = 160;
   double brush_px = 26, brush_strength = 0.6;
+
+  /// What is about the character alone; how poses are made and shown stays.
+  void forgetCharacter() {
+    pose.clear();
+    mix.clear();
+    amount = 0;
+    joint.clear();
+    pins.clear();
+  }
 };
 
 /// What is to be taken away, as chosen in the sheet.

@@ -182,6 +182,21 @@ test('the skin is fitted again by itself, and the newest drawing wins', async (a
   assert.ok(!figure.guessed && figure.triangles > 1000);
 });
 
+test('a new drawing is drawn on at once, and knows no pose of the one before', async (app) => {
+  await openPosing(app, 'dog');
+  await pull(app, 'Front leg.L.6', [40, -30]);
+  await app.key('n');
+  assert.equal((await posing(app)).pins.length, 1);
+  await app.press('toolbar', 'new');
+  const {tool, posing: now} = await app.stats();
+  assert.equal(tool, 'draw');
+  assert.deepEqual([now.pose, now.joint, now.pins], [null, '', []]);
+  await app.key('Control+z');
+  await app.key('p');
+  assert.equal((await app.stats()).tool, 'pose');
+  assert.equal((await poses(app)).length, 1);
+});
+
 test('the weights are shown, of all bones or of the chosen one', async (app) => {
   await openPosing(app, 'dog');
   const [x, y] = (await joint(app, 'Front leg.L.6')).pixel;
