@@ -127,7 +127,7 @@ TEST_CASE("file maker: what fails says why until another file is asked for") {
 TEST_CASE("file: as high as chosen, whatever is hidden counts for nothing") {
   CHECK(shownBox(Evaluation()).isEmpty());
   CHECK(metresPerUnit({}, 1) == 0.01);
-  for (const Sample& sample : samples()) {
+  for (const SampleFile& sample : sampleFiles()) {
     Evaluation evaluation;
     evaluation.update(sample.document);
     const Box3 box = shownBox(evaluation);
@@ -135,7 +135,7 @@ TEST_CASE("file: as high as chosen, whatever is hidden counts for nothing") {
     CHECK(metresPerUnit(box, 0) == 0.01);
     CHECK(std::abs(metresPerUnit(box, 2) * box.size().y - 2) < 1e-9);
   }
-  Document dog = samples().front().document;
+  Document dog = sampleFiles().front().document;
   std::vector<std::string> ids;
   for (const auto& part : dog.parts) ids.push_back(part->id);
   const auto hidden = apply(dog, SetVisible{ids, false});
