@@ -12,7 +12,7 @@ namespace {
 /// Whether the step is a change to be saved, and is kept by itself.
 bool isKept(const Command& command) {
   Keeping keeping;
-  Document document = samples().front().document;
+  Document document = sampleFiles().front().document;
   Origin origin;
   origin.kept = true;
   document.drawing = keeping.add(document, origin);
@@ -32,7 +32,7 @@ bool isKept(const Command& command) {
 }  // namespace
 
 TEST_CASE("keeping: poses, soft seams and strokes of the brush are changes like any other") {
-  const Document& document = samples().front().document;
+  const Document& document = sampleFiles().front().document;
   CHECK(isKept(SetPose{"Sit", {}}));
   CHECK(isKept(SetBlend{12}));
   Evaluation evaluation;
