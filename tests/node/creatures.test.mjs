@@ -1,6 +1,7 @@
-// node creatures.test.mjs NATIVE WASM.js SHARED CREATURES [COUNT [FIRST]]: random creatures become
+// node creatures.test.mjs NATIVE WASM.js CREATURES: random creatures become
 // one sound body with weights each, of all parts that are shown, in a GLB without a fault for
-// Khronos' validator. WebAssembly makes the same file of every tenth. A few of them, or COUNT.
+// Khronos' validator. WebAssembly makes the same file of every tenth. COUNT in the environment: how
+// many, a few without; FIRST: the number of the first.
 import assert from 'node:assert/strict';
 import {spawnSync} from 'node:child_process';
 import fs from 'node:fs';
@@ -10,7 +11,8 @@ import path from 'node:path';
 import {fileURLToPath} from 'node:url';
 
 const validator = createRequire(import.meta.url)('gltf-validator');
-const [native, wasm, , creatures, count = '12', first = '1'] = process.argv.slice(2);
+const [native, wasm, creatures] = process.argv.slice(2);
+const {COUNT: count = '12', FIRST: first = '1'} = process.env;
 const here = path.dirname(fileURLToPath(import.meta.url));
 const programs = {native: [native], wasm: [process.execPath, path.join(here, 'run.cjs'), wasm]};
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'marrow-creatures-'));

@@ -1,4 +1,4 @@
-// node same_part.test.mjs NATIVE WASM.js [FOLDER WITH strokes/]: the command line, natively and as
+// node same_part.test.mjs NATIVE WASM.js CREATURES [FOLDER WITH strokes/]: the command line, natively and as
 // WebAssembly, makes the same part of a stroke: the same joints, bones and triangles, coordinates
 // to 1e-9 of the part's size.
 import assert from 'node:assert/strict';
@@ -9,7 +9,7 @@ import path from 'node:path';
 import {fileURLToPath} from 'node:url';
 
 const kTolerance = 1e-9;
-const [native, wasm, shared] = process.argv.slice(2);
+const [native, wasm, , shared] = process.argv.slice(2);
 const runner = path.join(path.dirname(fileURLToPath(import.meta.url)), 'run.cjs');
 const programs = {native: [native], wasm: [process.execPath, runner, wasm]};
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'marrow-same-'));
