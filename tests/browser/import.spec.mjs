@@ -135,7 +135,7 @@ test('a GLB that Marrow wrote opens as its drawing', async (app) => {
   const document = Buffer.from(JSON.stringify({format: 'marrow', version: 1, parts: [
     {name: 'Größe', stroke: {points: [[0, 0], [100, 0], [100, 100], [0, 100]]}}]}));
   await dropped(app, 'creature.glb', glbOf(document));
-  await app.until(() => marrow.parts().length === 1);
+  await grown(app, 1);
   assert.equal(await app.page.title(), 'creature – Marrow');
   await app.key('Control+z');
   assert.equal((await app.parts()).length, 0);
