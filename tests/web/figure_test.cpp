@@ -257,6 +257,14 @@ struct Desk {
     now_ms += ms;
     return keeper.update(document, busy, posing, now_ms);
   }
+  /// Shows it, and the figure is made.
+  void finish(const Document& next) {
+    show(next);
+    const auto order = wait(100, true);
+    REQUIRE(order);
+    keeper.made(order->number, bytes(false));
+    keeper.ended(order->number, "");
+  }
   std::string bytes(bool guessed) {
     Figure figure;
     figure.guessed = guessed;
@@ -315,11 +323,7 @@ TEST_CASE("figure keeper: the newest drawing wins, and what an older one made is
 
 TEST_CASE("figure keeper: a coarser rig keeps the old weights until its own are there") {
   Desk desk;
-  desk.show(sample("dog"));
-  const auto first = desk.wait(100, true);
-  REQUIRE(first);
-  desk.keeper.made(first->number, desk.bytes(false));
-  desk.keeper.ended(first->number, "");
+  desk.finish(sample("dog"));
   const uint64_t old = desk.keeper.meshId();
   Document coarser = sample("dog");
   coarser.refine.simplify = 0.3;
@@ -337,11 +341,7 @@ TEST_CASE("figure keeper: a coarser rig keeps the old weights until its own are 
 
 TEST_CASE("figure keeper: while seams get softer the figure of before is shown") {
   Desk desk;
-  desk.show(sample("dog"));
-  const auto first = desk.wait(100, true);
-  REQUIRE(first);
-  desk.keeper.made(first->number, desk.bytes(false));
-  desk.keeper.ended(first->number, "");
+  desk.finish(sample("dog"));
   auto soft = apply(desk.document, SetBlend{20});
   REQUIRE(soft);
   desk.show(*soft);
@@ -358,11 +358,7 @@ TEST_CASE("figure keeper: while seams get softer the figure of before is shown")
 
 TEST_CASE("figure keeper: names, colours and poses ask for nothing") {
   Desk desk;
-  desk.show(sample("dog"));
-  const auto first = desk.wait(100, true);
-  REQUIRE(first);
-  desk.keeper.made(first->number, desk.bytes(false));
-  desk.keeper.ended(first->number, "");
+  desk.finish(sample("dog"));
   Document other = sample("dog");
   auto part = std::make_shared<PartSource>(*other.parts[0]);
   part->name = "Trunk";

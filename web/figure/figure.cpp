@@ -22,7 +22,7 @@ class Writer {
     bytes_ += text;
   }
   template <typename T>
-  void putAll(const std::vector<T>& values) {
+  void put(const std::vector<T>& values) {
     put(static_cast<uint32_t>(values.size()));
     if constexpr (std::is_trivially_copyable_v<T>) {
       bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
@@ -60,11 +60,11 @@ class Reader {
     if (const char* from = take(size)) text.assign(from, size);
   }
   template <typename T>
-  void getAll(std::vector<T>& values) {
+  void get(std::vector<T>& values) {
     uint32_t count = 0;
     get(count);
     if constexpr (std::is_trivially_copyable_v<T>) {
-      const char* from = take(count * sizeof(T));
+      const char* from = take(uint64_t{count} * sizeof(T));
       if (!from) return;
       values.resize(count);
       if (count > 0) std::memcpy(values.data(), from, count * sizeof(T));
@@ -84,11 +84,11 @@ class Reader {
   bool atEnd() const { return fine_ && at_ == bytes_.size(); }
 
  private:
-  const char* take(size_t count) {
+  const char* take(uint64_t count) {
     fine_ &= count <= bytes_.size() - at_;
     if (!fine_) return nullptr;
-    at_ += count;
-    return bytes_.data() + at_ - count;
+    at_ += static_cast<size_t>(count);
+    return bytes_.data() + at_ - static_cast<size_t>(count);
   }
 
   const std::string& bytes_;
@@ -150,30 +150,33 @@ Result<Figure> figureOf(const Character& character, const Evaluation& evaluation
   return figure;
 }
 
+namespace {
+
+/// Calls `visit` with every field, in the order in which they travel.
+template <typename AnyFigure, typename Visit>
+void visitFields(AnyFigure& figure, const Visit& visit) {
+  visit(figure.origin);
+  visit(figure.vertices);
+  visit(figure.triangles);
+  visit(figure.stretches);
+  visit(figure.joints);
+  visit(figure.left_out);
+  visit(figure.guessed);
+  visit(figure.made_ms);
+}
+
+}  // namespace
+
 std::string toBytes(const Figure& figure) {
   Writer writer;
-  writer.put(figure.origin);
-  writer.putAll(figure.vertices);
-  writer.putAll(figure.triangles);
-  writer.putAll(figure.stretches);
-  writer.putAll(figure.joints);
-  writer.putAll(figure.left_out);
-  writer.put(figure.guessed);
-  writer.put(figure.made_ms);
+  visitFields(figure, [&](const auto& field) { writer.put(field); });
   return writer.take();
 }
 
 Result<Figure> figureFromBytes(const std::string& bytes) {
   Figure figure;
   Reader reader(bytes);
-  reader.get(figure.origin);
-  reader.getAll(figure.vertices);
-  reader.getAll(figure.triangles);
-  reader.getAll(figure.stretches);
-  reader.getAll(figure.joints);
-  reader.getAll(figure.left_out);
-  reader.get(figure.guessed);
-  reader.get(figure.made_ms);
+  visitFields(figure, [&](auto& field) { reader.get(field); });
   if (!reader.atEnd()) return {Status::unreadable, "The figure did not arrive whole."};
   return figure;
 }
