@@ -6,6 +6,8 @@
 namespace marrow {
 namespace {
 
+constexpr double kStraight = 1e-7;  // of its length, that a chain may be shorter by and be straight
+
 bool isFinite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// From one point, so far into the direction of another; any direction where they are one.
@@ -16,20 +18,24 @@ Vec3 towards(Vec3 from, Vec3 to, double far) {
 }
 
 /// Where the joints of a chain have to be for its end to come to the target; the first stays.
-void bend(std::vector<Vec3>& chain, Vec3 target, const ReachOptions& options) {
+/// False where they are already.
+bool bend(std::vector<Vec3>& chain, Vec3 target, const ReachOptions& options) {
   const size_t n = chain.size();
   std::vector<double> lengths(n - 1);
   double reach = 0;
   for (size_t i = 0; i + 1 < n; ++i) reach += lengths[i] = distance(chain[i], chain[i + 1]);
   const Vec3 base = chain[0];
+  if (distance(chain[n - 1], target) <= options.near * reach) return false;
   if (distance(base, target) >= reach) {
     for (size_t i = 0; i + 1 < n; ++i) chain[i + 1] = towards(chain[i], target, lengths[i]);
-    return;
+    return true;
   }
   // A straight chain never bends when it is pushed along itself: it is given a way to go.
   const Vec3 way = chain[n - 1] - base, pull = target - base;
   const Vec3 side = cross(way, pull);
-  if (n > 2 && dot(side, side) < 1e-12 * dot(way, way) * std::max(dot(pull, pull), dot(way, way))) {
+  const bool is_straight = length(way) > (1 - kStraight) * reach;
+  if (n > 2 && is_straight &&
+      dot(side, side) < 1e-12 * dot(way, way) * std::max(dot(pull, pull), dot(way, way))) {
     const Vec3 aside = std::abs(way.z) < 0.9 * length(way) ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
     const Vec3 normal = cross(cross(way, aside), way);
     const double size = length(normal);
@@ -44,6 +50,7 @@ void bend(std::vector<Vec3>& chain, Vec3 target, const ReachOptions& options) {
     chain[0] = base;
     for (size_t i = 0; i + 1 < n; ++i) chain[i + 1] = towards(chain[i], chain[i + 1], lengths[i]);
   }
+  return true;
 }
 
 class Reacher {
@@ -64,7 +71,7 @@ class Reacher {
   void bendTo(const std::vector<uint32_t>& path, Vec3 target) {
     std::vector<Vec3> chain;
     for (const uint32_t joint : path) chain.push_back(placeOf(joint));
-    bend(chain, target, options_);
+    if (!bend(chain, target, options_)) return;
     for (size_t i = 0; i + 1 < path.size(); ++i) {
       const Rigid& now = motions_[path[i]];
       const Vec3 from = now(rig_.joints[path[i + 1]].position) - now(rig_.joints[path[i]].position);
@@ -135,9 +142,7 @@ Pose reach(const Rig& rig, const Pose& pose, uint32_t joint, Vec3 target,
   for (const uint32_t on_the_way : path) fixed[on_the_way] = 1;
   for (const auto& [pin, place] : held) {
     const std::vector<uint32_t> chain = pathTo(rig, pin, fixed);
-    if (chain.size() > 1 && distance(reacher.placeOf(pin), place) > 0) {
-      reacher.bendTo(chain, place);
-    }
+    if (chain.size() > 1) reacher.bendTo(chain, place);
   }
   return reacher.take();
 }

@@ -8,8 +8,8 @@
 namespace marrow {
 
 struct ReachOptions {
-  int rounds = 24;     // at most, for one chain
-  double near = 1e-4;  // × the chain's length: that close is there
+  int rounds = 40;     // at most, for one chain
+  double near = 1e-5;  // × the chain's length: that close is there
 };
 
 /// The pose in which `joint` is at `target` (space), or as near as its bones reach, which keep

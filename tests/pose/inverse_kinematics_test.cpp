@@ -88,6 +88,39 @@ TEST_CASE("reach: a dragged root moves everything, but for what is pinned", "[re
   CHECK(bonesKeepLengths(rig, squat));
 }
 
+TEST_CASE("reach: a joint dragged to where it is changes nothing, nor is what holds still bent",
+          "[reach]") {
+  Random random(11);
+  for (int run = 0; run < 200; ++run) {
+    CAPTURE(run);
+    const Rig rig = randomRig(random, 4 + random.below(14));
+    const Pose pose = randomPose(random, rig);
+    const auto joint =
+        1 + static_cast<uint32_t>(random.below(static_cast<int>(rig.joints.size()) - 1));
+    std::vector<uint32_t> pins;
+    for (uint32_t pin = 1; pin < rig.joints.size(); ++pin) {
+      if (random.below(3) == 0) pins.push_back(pin);
+    }
+    CHECK(reach(rig, pose, joint, placeOf(rig, pose, joint), pins) == pose);
+  }
+}
+
+TEST_CASE("reach: a hand that goes to and fro leaves the pinned spine as it is", "[reach]") {
+  Rig rig = chainRig(8, 30);  // the spine: 0 … 4; the arm: 5 … 7
+  for (uint32_t i = 5; i < 8; ++i) {
+    rig.joints[i].position = {30.0 * (i - 4), i == 6 ? 95.0 : 120.0, 0};
+  }
+  Pose pose;
+  for (int drag = 0; drag < 200; ++drag) {
+    const double way = drag % 2 == 0 ? 3 : -3;
+    pose = reach(rig, pose, 7, placeOf(rig, pose, 7) + Vec3{0, way, 0}, {4});
+  }
+  for (uint32_t joint = 0; joint <= 4; ++joint) {
+    CHECK(distance(placeOf(rig, pose, joint), rig.joints[joint].position) < 1e-9);
+  }
+  CHECK(distance(placeOf(rig, pose, 7), rig.joints[7].position) < 0.5);
+}
+
 TEST_CASE("reach: in any skeleton and pose nothing breaks", "[reach]") {
   Random random(3);
   for (int run = 0; run < 200; ++run) {
