@@ -23,6 +23,8 @@ constexpr double kDoubleClick_ms = 700;
 constexpr const char* kAlone =
     "This part touches nothing, so it has a skeleton of its own. Move it until it touches, or "
     "attach it in its panel.";
+constexpr const char* kNoBoneToPaint = "Click the joint at the end of the bone to paint for.";
+constexpr const char* kNoSkinToPaint = "The skin is being fitted: it can be painted in a moment.";
 constexpr const char* kTooSmall =
     "That was too small to become a shape. Draw a closed shape, a little larger.";
 
@@ -162,8 +164,11 @@ bool App::handle(const PointerEvent& event) {
     case Tools::Gesture::begin:
       closeEdit();
       forgetWhatIsGone();
-      if (ui_.tool == ToolKind::pose && !paints(ui_.posing)) beginPosing();
+      endPoseGlide();
       hand_.begin(tools_.drawing(), shift_, ui_, world());
+      if (ui_.tool == ToolKind::pose && paints(ui_.posing) && hand_.mode() == Hand::Mode::idle) {
+        say(figure_.figure() ? kNoBoneToPaint : kNoSkinToPaint);
+      }
       break;
     case Tools::Gesture::move:
       hand_.move(tools_.drawing(), ui_, world());
@@ -289,7 +294,9 @@ void App::apply(const Command& command) {
   }
   const std::string name = describe(document(), command);
   let_go_ms_ = -1;
+  const Document before = document();
   history_.push(std::move(*next), name);
+  followPoseNames(before);
   document_changed_ = true;
 }
 
@@ -306,7 +313,9 @@ bool App::undo() {
   hand_.cancel(ui_);
   closeEdit();
   let_go_ms_ = -1;
+  const Document before = document();
   history_.undo();
+  followPoseNames(before);
   document_changed_ = true;
   update();
   return true;
@@ -317,7 +326,9 @@ bool App::redo() {
   hand_.cancel(ui_);
   closeEdit();
   let_go_ms_ = -1;
+  const Document before = document();
   history_.redo();
+  followPoseNames(before);
   document_changed_ = true;
   update();
   return true;

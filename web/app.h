@@ -126,7 +126,8 @@ class App {
   void makeFile(const std::string& name);
   void updateStance();
   Pose wantedPose() const;
-  void beginPosing();
+  void endPoseGlide();
+  void followPoseNames(const Document& before);
   bool posingKey(char character);
   bool takesHold(Vec2 pixel) const;
   void chooseJoint(Vec2 pixel);

@@ -34,6 +34,8 @@ void App::replace(Document document, const Origin& origin, const std::string& st
   apply(ReplaceDocument{std::move(document), step});
   ui_.selection.clear();
   ui_.posing.forgetCharacter();
+  ui_.exporting.forgetCharacter();
+  file_.forgetLast();
   shelf_.keeping.withdrawOffer();
   update();
   shelf_.keeping.update(this->document(), ui_.now_ms, false);
@@ -193,6 +195,7 @@ void App::act(const FileAction& action) {
       break;
     case FileAction::Kind::give_up:
       file_.giveUp();
+      say("No file was made.");
       break;
   }
 }

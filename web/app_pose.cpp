@@ -116,6 +116,14 @@ void App::updateStance() {
     stance_.rest = stance_.posed = evaluation_.rig();
     stance_rig_ = evaluation_.rigId();
   }
+  stance_.wanted = wanted_pose_;
+  stance_.hidden.assign(stance_.rest.joints.size(), 0);
+  for (size_t i = 0; i < stance_.hidden.size(); ++i) {
+    const uint32_t part = stance_.rest.joints[i].part;
+    if (part >= evaluation_.placed().size()) continue;
+    const size_t source = evaluation_.placed()[part].source;
+    stance_.hidden[i] = evaluation_.parts()[source].source->visible ? 0 : 1;
+  }
   stance_.pins.clear();
   for (const std::string& id : ui_.posing.pins) {
     if (const auto joint = jointOf(stance_.rest, id)) stance_.pins.push_back(*joint);
@@ -130,7 +138,7 @@ void App::updateStance() {
 
 bool App::takesHold(Vec2 pixel) const {
   if (ui_.tool != ToolKind::pose) return true;
-  if (jointToGrab(pixel, stance_.posed, ui_.camera, ui_.size, ui_.touch())) return true;
+  if (jointToGrab(pixel, stance_, ui_.camera, ui_.size, ui_.touch())) return true;
   if (!paints(ui_.posing) || !figure_.figure()) return false;
   const auto motions =
       motionsOf(*figure_.figure(), stance_.rest, posed(stance_.rest, stance_.pose));
@@ -139,16 +147,29 @@ bool App::takesHold(Vec2 pixel) const {
 }
 
 void App::chooseJoint(Vec2 pixel) {
-  const auto joint = jointToGrab(pixel, stance_.posed, ui_.camera, ui_.size, ui_.touch());
+  const auto joint = jointToGrab(pixel, stance_, ui_.camera, ui_.size, ui_.touch());
   if (joint) ui_.posing.joint = stance_.rest.joints[*joint].id;
 }
 
-// What a hand changes is a pose of its own: never the rest, and not what two are mixed from.
-void App::beginPosing() {
-  Posing& posing = ui_.posing;
-  if (document().findPose(posing.pose) && !(posing.amount > 0)) return;
-  posing.pose = freshPoseName(document());
-  posing.amount = last_amount_ = 0;
+// A hand begins with a pose that is meant, not with one on the way.
+void App::endPoseGlide() {
+  if (ui_.tool != ToolKind::pose) return;
+  glide_since_ms_ = -1e9;
+  updateStance();
+}
+
+// Poses are chosen by name: a name that was changed, or changed back, is followed.
+void App::followPoseNames(const Document& before) {
+  const auto follow = [&](std::string& name) {
+    if (document().findPose(name)) return;
+    for (size_t i = 0; i < std::min(before.poses.size(), document().poses.size()); ++i) {
+      const NamedPose &was = *before.poses[i], &is = *document().poses[i];
+      if (was.name == name && was.joints == is.joints && !before.findPose(is.name)) name = is.name;
+    }
+  };
+  follow(ui_.posing.pose);
+  follow(ui_.posing.mix);
+  follow(ui_.exporting.file.pose);
 }
 
 bool App::posingKey(char character) {
@@ -176,7 +197,10 @@ bool App::posingKey(char character) {
     case 'G':
     case 'r':
     case 'R':
-      beginPosing();
+      hand_.cancel(ui_);
+      document_changed_ = true;
+      update();
+      endPoseGlide();
       transformByKey(character == 'g' || character == 'G' ? TransformKind::move
                                                           : TransformKind::rotate);
       return true;

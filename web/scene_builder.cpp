@@ -105,10 +105,8 @@ class Builder {
                               static_cast<float>(move.z), 0};
     }
     if (ui_.tool == ToolKind::pose) showWeights(posed, stance.rest);
-    for (const Rig::Joint& joint : stance.posed.joints) {
-      const double r = joint.radius;
-      box_.include(joint.position - Vec3{r, r, r});
-      box_.include(joint.position + Vec3{r, r, r});
+    for (const Vec3 p : posedVertices(keeper.hull(), motions, ui_.posing.skinning).positions) {
+      box_.include(p);
     }
   }
 

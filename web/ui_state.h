@@ -105,6 +105,13 @@ struct Exporting {
   double height_m = 1;       // of the whole character at rest; 0: 100 units are a metre
   std::string path;          // typed where the platform has no dialogs
   bool path_edited = false;  // else it follows the drawing's name
+  bool making = false;       // as it was shown last
+  double since_ms = -1e9;    // how long that has been so
+
+  void forgetCharacter() {
+    file.pose.clear();
+    path_edited = false;
+  }
 };
 
 inline bool paints(const Posing& posing) {

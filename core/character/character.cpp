@@ -177,9 +177,8 @@ class Maker {
       }
     }
     made_.merged = mergeSolids(solids, options_.merge, clock_);
-    if (options_.merged) {
-      made_.merged = blendSeams(std::move(made_.merged), {options_.blend}, clock_);
-    }
+    if (!options_.merged) return;
+    made_.merged = blendSeams(std::move(made_.merged), {options_.blend}, clock_);
     for (const MergedMesh::LeftOut& out : made_.merged.left_out) {
       const std::string& id = placed[out.id].id;
       const bool known = std::any_of(made_.left_out.begin(), made_.left_out.end(),
@@ -274,6 +273,17 @@ CharacterOptions characterOptions(const Document& document) {
   options.blend = document.blend;
   options.strokes = placedStrokes(document);
   return options;
+}
+
+std::vector<std::string> leftOutOf(const Character& character) {
+  std::vector<std::string> sentences;
+  for (const Character::LeftOut& out : character.left_out) {
+    const auto paint = std::find_if(character.paints.begin(), character.paints.end(),
+                                    [&](const Paint& one) { return one.part == out.part; });
+    const std::string name = paint != character.paints.end() ? paint->name : out.part;
+    sentences.push_back(name + " is left out: " + out.why + ".");
+  }
+  return sentences;
 }
 
 std::vector<Paint> paintsOf(const Evaluation& evaluation) {

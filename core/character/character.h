@@ -59,6 +59,7 @@ struct CharacterWatch {
 };
 
 struct Character {
+  /// Of what is merged; parts of their own are all there.
   struct LeftOut {
     std::string part;  // id of the placed part
     std::string why;   // a clause
@@ -80,6 +81,9 @@ struct Character {
   std::vector<JointWeights> unpainted;
   Timings timings;  // stages: merge, weights, vertices
 };
+
+/// A sentence for each part that is not in it.
+std::vector<std::string> leftOutOf(const Character& character);
 
 /// Of all visible parts, in their order.
 std::vector<Paint> paintsOf(const Evaluation& evaluation);

@@ -44,6 +44,8 @@ int runPose(const std::vector<std::string>& words) {
   if (!made.no_weights.empty()) {
     return refuse(path + ": the body follows no bone: " + made.no_weights);
   }
+  const auto left_out = leftOutOf(made);
+  if (made.meshes.empty() && !left_out.empty()) return refuse(path + ": " + left_out.front());
   SkinnedMesh body;
   if (!made.meshes.empty()) {
     const Skinning how = arguments->has("--dual") ? Skinning::dualQuaternions : Skinning::linear;
@@ -66,6 +68,7 @@ int runPose(const std::vector<std::string>& words) {
     return refuse(path + ": it is too large for such a file");
   }
   if (auto error = writeAll(files)) return refuse(error->message());
+  for (const std::string& sentence : left_out) warn(path + ": " + sentence);
   return kFine;
 }
 

@@ -113,15 +113,18 @@ int runRig(const std::vector<std::string>& words) {
   std::vector<OutputFile> files;
   const auto* json = arguments->findPath("--json");
   Json tree = json ? rigToTree(character) : Json();
-  std::string warning;
+  std::vector<std::string> warnings;
   if (glb || gltf || merge || parts) {
     CharacterOptions options = characterOptions(*document);
     options.merged = !parts;
     options.weights = !arguments->has("--no-weights");
     options.blend = arguments->findNumber("--blend").value_or(options.blend);
     const Character made = makeCharacter(character, options, milliseconds);
+    const auto left_out = leftOutOf(made);
+    if (made.meshes.empty() && !left_out.empty()) return refuse(path + ": " + left_out.front());
+    for (const std::string& sentence : left_out) warnings.push_back(path + ": " + sentence);
     if (!made.no_weights.empty()) {
-      warning = path + ": the meshes follow no bone: " + made.no_weights;
+      warnings.push_back(path + ": the meshes follow no bone: " + made.no_weights);
     }
     const GlbCharacter model = glbOf(made, character.rig(), *document, stem(fileName(path)));
     GlbOptions how;
@@ -143,7 +146,7 @@ int runRig(const std::vector<std::string>& words) {
     files.push_back({*out, rigToSvg(fileName(path), character)});
   }
   if (auto error = writeAll(files)) return refuse(error->message());
-  if (!warning.empty()) warn(warning);
+  for (const std::string& warning : warnings) warn(warning);
   return files.empty() ? printSummary(path, character) : kFine;
 }
 

@@ -582,7 +582,9 @@ Result<Document> applyTo(const Document& document, const ClearWeightStrokes& com
   const auto isMeant = [&](const WeightStroke& stroke) {
     const auto index = document.find(stroke.part);
     if (index && document.parts[*index]->locked) return false;
-    if (command.joint.empty() || stroke.joint == command.joint) return true;
+    if (command.joint.empty()) return true;
+    if (stroke.kind == WeightStroke::Kind::smooth) return false;  // it is of no joint
+    if (stroke.joint == command.joint) return true;
     const bool twins = index && document.parts[*index]->mirror;
     return twins && oppositeJoint(document, stroke.joint) == command.joint;
   };

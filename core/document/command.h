@@ -139,7 +139,7 @@ struct AddWeightStroke {
   WeightStroke stroke;
 };
 /// What was painted for a joint, and for the one opposite where twins share it. An empty id: all
-/// there is. Strokes on locked parts stay.
+/// there is, smoothing too. Strokes on locked parts stay.
 struct ClearWeightStrokes {
   std::string joint;
 };

@@ -17,6 +17,11 @@ bool hangsAsBefore(const EvaluatedPart& before, const EvaluatedPart& now) {
          was.mirror == is.mirror && was.skeleton == is.skeleton && was.attachment == is.attachment;
 }
 
+using SharedMesh = std::shared_ptr<const Mesh>;
+bool isSameMesh(const SharedMesh& a, const SharedMesh& b) {
+  return a == b || (a && b && a->positions == b->positions && a->triangles == b->triangles);
+}
+
 }  // namespace
 
 Evaluation::Evaluation(PartOptions options, Clock clock)
@@ -46,7 +51,7 @@ EvaluatedPart Evaluation::evaluate(const std::shared_ptr<const PartSource>& sour
                                    const EvaluatedPart* before) {
   if (!before) return rebuild(source);
   if (source == before->source) return *before;
-  if (source->stroke != before->source->stroke || source->mesh != before->source->mesh) {
+  if (source->stroke != before->source->stroke || !isSameMesh(source->mesh, before->source->mesh)) {
     return rebuild(source);
   }
 

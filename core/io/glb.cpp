@@ -345,12 +345,22 @@ GlbCharacter glbOf(const Character& made, const Rig& rig, const Document& docume
   return character;
 }
 
+namespace {
+
+Result<std::string> written(const GlbCharacter& character, const GlbOptions& options, bool binary) {
+  constexpr size_t kMostJoints = 0x10000;  // their indices have 16 bits
+  if (character.rig.joints.size() > kMostJoints) return Status::tooMany;
+  return Writer(character, options).write(binary);
+}
+
+}  // namespace
+
 Result<std::string> toGlb(const GlbCharacter& character, const GlbOptions& options) {
-  return Writer(character, options).write(/*binary=*/true);
+  return written(character, options, /*binary=*/true);
 }
 
 Result<std::string> toGltf(const GlbCharacter& character, const GlbOptions& options) {
-  return Writer(character, options).write(/*binary=*/false);
+  return written(character, options, /*binary=*/false);
 }
 
 }  // namespace marrow

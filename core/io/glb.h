@@ -36,7 +36,7 @@ struct GlbOptions {
 /// turned as restAxes says; y is up, the front view looks along −z. A mesh has a primitive for each
 /// paint it shows, which share its vertices; there is a skin where a mesh has one. The document
 /// lies in the buffer view that asset.extras.marrow.document names. Errors: meshFailed where a
-/// number is not finite or too large for single precision.
+/// number is not finite or too large for single precision; tooMany joints for 16 bits.
 Result<std::string> toGlb(const GlbCharacter& character, const GlbOptions& options = {});
 
 /// The same as one text: JSON, with the bytes in base64.

@@ -106,7 +106,7 @@ class Merger {
   bool mergeAll() {
     makeLattice();
     best_ = {};
-    uint32_t part = 0, other = 0;
+    uint32_t culprit = 0;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
       ++merged_.attempts;
       makeSoup(static_cast<uint64_t>(attempt));
@@ -115,20 +115,16 @@ class Merger {
       const bool is_filled = cut_.ok && fill();
       watch_.lap("fill");
       if (!is_filled) {
-        part = std::min(cut_.part, cut_.other);
-        other = std::max(cut_.part, cut_.other);
+        culprit = std::max(cut_.part, cut_.other);
       } else if (tryWays()) {
         return true;
       } else if (!best_.is_closed) {
-        part = other = partWithHole();
+        culprit = partWithHole();
       }
     }
     if (best_.is_closed) return true;
-    leaveOut(solids_[other].input, part == other
-                                       ? "it cannot be joined with the others"
-                                       : "it cannot be joined with part " +
-                                             std::to_string(inputs_[solids_[part].input].id));
-    solids_.erase(solids_.begin() + other);
+    leaveOut(solids_[culprit].input, "it cannot be joined with the others");
+    solids_.erase(solids_.begin() + culprit);
     return false;
   }
 

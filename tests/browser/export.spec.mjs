@@ -14,6 +14,18 @@ const plain = {init: () => {
   delete window.showSaveFilePicker;
 }};
 
+/// The first workers get a broken program, until `heal` is called.
+const sick = {init: () => {
+  delete window.showSaveFilePicker;
+  const Healthy = window.Worker;
+  window.Worker = class extends Healthy {
+    postMessage(message) {
+      super.postMessage(message.module ? {module: 'broken'} : message);
+    }
+  };
+  window.heal = () => { window.Worker = Healthy; };
+}};
+
 const exporting = async (app) => (await app.stats()).export;
 const has = async (app, panel, id) =>
     (await app.stats()).widgets.some((one) => one.panel === panel && one.id === id);
@@ -28,7 +40,12 @@ async function openSheet(app) {
   }
   await app.press('file', 'export');
 }
-const save = (app) => app.downloaded(() => app.press('export', 'save'));
+/// A press right after a button has taken another's place was meant for the other.
+const later = (app) => app.page.waitForTimeout(600);
+const save = async (app) => {
+  await later(app);
+  return app.downloaded(() => app.press('export', 'save'));
+};
 
 /// The figure as the page has it posed: vertices, and triangles as indices.
 async function posed(app) {
@@ -206,17 +223,26 @@ test('a file that is given up is not made, and all goes on', {init: () => {
   let downloads = 0;
   app.page.on('download', () => ++downloads);
   await hold(600_000);
-  await app.press('export', 'save');
+  const {x, y, width} = await app.widget('export', 'save');
+  await app.page.mouse.dblclick(x + width / 2 - 20, y);  // where the way out appears
+  await app.settled();
+  assert.ok(await has(app, 'export', 'cancel'));
   await app.screenshot('making');
+  await later(app);
   await app.press('export', 'cancel');
   await app.until(() => !marrow.stats().export.waiting && !marrow.stats().export.working);
   assert.equal((await exporting(app)).failure, '');
-  assert.equal((await app.stats()).message, null);
+  assert.equal((await app.stats()).message, 'No file was made.');
+  await app.page.mouse.click(x + width / 2 - 20, y);  // once more, by mistake
+  await app.settled();
+  assert.ok(await has(app, 'export', 'save'));
+  await later(app);
 
   // The figure of a drawing that changed while a file was made is made once that is given up.
   await app.press('export', 'save');
   await show(app, await sample('bear'));
   await hold(0);
+  await later(app);
   await app.press('export', 'cancel');
   await ready(app);
   await app.settled();
@@ -257,6 +283,7 @@ test('where the browser can, the user says where the file goes', {init: () => {
   app.page.on('download', () => ++downloads);
   const {frames} = await app.stats();
   await app.page.evaluate(() => { window.asked = null; });
+  await later(app);
   await app.press('export', 'save');
   await app.until(() => window.asked);
   await app.settled();
@@ -299,3 +326,17 @@ for (const [name, options] of [['phone', {width: 360, height: 740, touch: true, 
     assert.equal(bytes.length, 84 + 50 * bytes.readUInt32LE(80));
   });
 }
+
+test('a worker that breaks down says so, hangs nothing, and the next one does the work', sick,
+     async (app) => {
+       await openPosing(app, 'fish', {waits: false});
+       await app.until(() => marrow.stats().posing.failure.includes('no memory left'));
+       await app.screenshot('sick');
+       await app.press('pose', 'export');
+       await app.press('export', 'save');
+       await app.until(() => marrow.stats().export.failure.includes('no memory left'));
+       await app.screenshot('sick-file');
+       await app.page.evaluate(() => heal());
+       const {bytes} = await save(app);
+       assert.equal(bytes.subarray(0, 4).toString(), 'glTF');
+     });

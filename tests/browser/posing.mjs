@@ -17,13 +17,13 @@ export const ready = (app) => app.until(() => marrow.stats().posing.ready);
 export const glidden = (app) => app.page.waitForTimeout(350).then(() => app.settled());
 
 /// A sample of the gallery in pose mode, once its skin fits.
-export async function openPosing(app, name) {
+export async function openPosing(app, name, {waits = true} = {}) {
   const text = await readFile(join(root, 'public/samples', `${name}.json`), 'utf8');
   await app.page.evaluate((json) => marrow.load(json), text);
   await app.frames(2);
   await app.key('f');
   await app.key('p');
-  await ready(app);
+  if (waits) await ready(app);
   await app.settled();
 }
 

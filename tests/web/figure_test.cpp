@@ -5,7 +5,9 @@
 #include "figure/figure_keeper.h"
 #include "figure/workshop.h"
 #include "io/document_json.h"
+#include "io/mesh_import.h"
 #include "pose/rigs.h"
+#include "solid/solids.h"
 #include "support/catch.h"
 #include "support/creatures.h"
 #include "support/samples.h"
@@ -134,6 +136,46 @@ TEST_CASE("workshop: other strokes need no new weights, and give what all anew w
   CHECK(glb->bytes.substr(0, 4) == "glTF");
 }
 
+TEST_CASE("workshop: an imported part makes no work anew, nor does a file after the figure") {
+  Document document = sample("dog");
+  const std::string obj =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+  Mesh mesh = *importMesh(obj, MeshFormat::obj);
+  for (Vec3& p : mesh.positions) p = p * 200;
+  auto next = apply(document, ImportPart{std::make_shared<const Mesh>(mesh), "Hat"});
+  REQUIRE(next);
+  Workshop workshop;
+  size_t steps = 0;
+  WorkTeller teller;
+  teller.made = [](const std::string&) {};
+  teller.progress = [&](double) {
+    ++steps;
+    return true;
+  };
+  REQUIRE(workshop.work(figureRequest(*next), teller, noTime));
+  CHECK(steps > 3);
+  steps = 0;
+  REQUIRE(workshop.work(fileRequest(*next, {}), teller, noTime));
+  CHECK(steps == 0);
+}
+
+TEST_CASE("workshop: where every part is left out no file is made, and the reason is said") {
+  Mesh knot = sphereMesh({}, 50, 2);
+  knot.positions[0] = knot.positions[0] * -1.5;  // through the other side
+  const auto document = apply({}, ImportPart{std::make_shared<const Mesh>(knot), "Knot"});
+  REQUIRE(document);
+  WorkTeller teller;
+  teller.made = [](const std::string&) { FAIL("something was made"); };
+  teller.progress = [](double) { return true; };
+  for (const auto format : {FileOptions::Format::glb, FileOptions::Format::obj}) {
+    FileOptions file;
+    file.format = format;
+    const auto made = Workshop().work(fileRequest(*document, file), teller, noTime);
+    REQUIRE_FALSE(made);
+    CHECK(made.message().find("Knot is left out") == 0);
+  }
+}
+
 TEST_CASE("workshop: every kind of file is made, and an empty drawing is refused") {
   Workshop workshop;
   std::string last;
@@ -201,6 +243,36 @@ TEST_CASE("figure: joints that the rig no longer has follow the one above them")
     if (!gone) CHECK(fewer[i](p) == motions[i](p));
     if (gone && above >= 0) CHECK(fewer[i](p) == fewer[static_cast<size_t>(above)](p));
     if (gone && above < 0) CHECK(fewer[i](p) == p);
+  }
+}
+
+TEST_CASE("figure: its outermost vertices reach as far as all, in any pose") {
+  const Document& snail = sample("snail");
+  const Made made = make(figureRequest(snail));
+  REQUIRE(made.figures.size() == 2);
+  const Figure& figure = made.figures[1];
+  const Figure hull = outermost(figure);
+  CHECK(hull.vertices.size() < 27 * (figure.joints.size() + 1));
+  Evaluation evaluation;
+  evaluation.update(snail);
+  Random random(5);
+  for (int run = 0; run < 20; ++run) {
+    Pose pose;
+    for (const Rig::Joint& joint : evaluation.rig().joints) {
+      const Affine turn = randomRotation(random);
+      const Quaternion whole = rotationTo(turn.x, turn.y, turn.z);
+      pose[joint.id].rotation = run == 0 ? Quaternion{} : mixed(Quaternion{}, whole, 0.3);
+    }
+    const auto motions = motionsOf(figure, evaluation.rig(), posed(evaluation.rig(), pose));
+    const auto boxOfPosed = [&](const Figure& one) {
+      Box3 box;
+      for (const Vec3 p : posedVertices(one, motions, Skinning::linear).positions) box.include(p);
+      return box;
+    };
+    const Box3 all = boxOfPosed(figure), few = boxOfPosed(hull);
+    const double slack = 0.03 * length(all.size());
+    CHECK(distance(all.low, few.low) < slack);
+    CHECK(distance(all.high, few.high) < slack);
   }
 }
 

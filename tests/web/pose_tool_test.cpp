@@ -25,10 +25,14 @@ Rig chain(size_t joints) {
   return rig;
 }
 
-Stance standing(const Rig& rig) { return {rig, rig, {}, {}}; }
+Stance standing(const Rig& rig) {
+  Stance stance;
+  stance.rest = stance.posed = rig;
+  return stance;
+}
 
 std::optional<uint32_t> grab(const Rig& rig, Vec2 pixel, bool touch = false) {
-  return jointToGrab(pixel, rig, Camera{}, kSize, touch);
+  return jointToGrab(pixel, standing(rig), Camera{}, kSize, touch);
 }
 
 Vec3 placeOf(const Stance& stance, const Pose& pose, uint32_t joint) {
@@ -66,6 +70,18 @@ TEST_CASE("pose tool: of two limbs in one place the one in front is taken") {
     CHECK(grab(rig, {452, 303}) == first + 1);
     CHECK(grab(rig, {528, 312}) == first + 3);
   }
+}
+
+TEST_CASE("pose tool: joints of parts that are hidden cannot be taken") {
+  Stance stance = standing(chain(4));
+  stance.hidden = {0, 0, 1, 1};
+  const auto grabbed = [&](Vec2 pixel) {
+    return jointToGrab(pixel, stance, Camera{}, kSize, false);
+  };
+  CHECK_FALSE(grabbed({550, 300}));
+  CHECK_FALSE(grabbed({500, 303}));
+  CHECK_FALSE(grabbed({528, 300}));
+  CHECK(grabbed({452, 303}) == 1u);
 }
 
 TEST_CASE("pose tool: what is pulled comes along, as far as its bones reach") {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <set>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -103,19 +104,11 @@ Vec3 toVec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
 
-std::vector<std::string> leftOutOf(const Character& character) {
-  std::vector<std::string> sentences;
-  for (const Character::LeftOut& out : character.left_out) {
-    const auto paint = std::find_if(character.paints.begin(), character.paints.end(),
-                                    [&](const Paint& one) { return one.part == out.part; });
-    const std::string name = paint != character.paints.end() ? paint->name : out.part;
-    sentences.push_back(name + " is left out: " + out.why + ".");
-  }
-  return sentences;
-}
-
 Result<Figure> figureOf(const Character& character, const Evaluation& evaluation) {
-  if (character.meshes.size() != 1) return {Status::meshFailed, "There is no figure."};
+  if (character.meshes.size() != 1) {
+    const auto left_out = leftOutOf(character);
+    return {Status::meshFailed, left_out.empty() ? "There is no figure." : left_out.front()};
+  }
   const Rig& rig = evaluation.rig();
   if (rig.joints.size() > std::numeric_limits<uint16_t>::max()) {
     return {Status::tooMany, "The skeleton has too many joints to be posed."};
@@ -179,6 +172,42 @@ Result<Figure> figureFromBytes(const std::string& bytes) {
   visitFields(figure, [&](auto& field) { reader.get(field); });
   if (!reader.atEnd()) return {Status::unreadable, "The figure did not arrive whole."};
   return figure;
+}
+
+Figure outermost(const Figure& figure) {
+  constexpr size_t kDirections = 26;
+  std::array<Vec3, kDirections> directions;
+  size_t next = 0;
+  for (const double x : {-1.0, 0.0, 1.0}) {
+    for (const double y : {-1.0, 0.0, 1.0}) {
+      for (const double z : {-1.0, 0.0, 1.0}) {
+        if (x != 0 || y != 0 || z != 0) directions[next++] = {x, y, z};
+      }
+    }
+  }
+  constexpr uint32_t kNone = UINT32_MAX;
+  const size_t groups = figure.joints.size() + 1;  // the last: of what follows none
+  std::vector<std::array<uint32_t, kDirections>> farthest(groups);
+  for (auto& group : farthest) group.fill(kNone);
+  for (uint32_t i = 0; i < figure.vertices.size(); ++i) {
+    const Figure::Vertex& vertex = figure.vertices[i];
+    const bool follows = vertex.weights[0] > 0 && vertex.joints[0] < figure.joints.size();
+    auto& group = farthest[follows ? vertex.joints[0] : groups - 1];
+    for (size_t d = 0; d < kDirections; ++d) {
+      const auto reach = [&](uint32_t v) {
+        return dot(directions[d], toVec(figure.vertices[v].position));
+      };
+      if (group[d] == kNone || reach(i) > reach(group[d])) group[d] = i;
+    }
+  }
+  std::set<uint32_t> chosen;
+  for (const auto& group : farthest) chosen.insert(group.begin(), group.end());
+  chosen.erase(kNone);
+  Figure hull;
+  hull.origin = figure.origin;
+  hull.joints = figure.joints;
+  for (const uint32_t v : chosen) hull.vertices.push_back(figure.vertices[v]);
+  return hull;
 }
 
 std::vector<Rigid> motionsOf(const Figure& figure, const Rig& rig,

@@ -38,9 +38,6 @@ struct Figure {
   double made_ms = 0;                 // how long it took
 };
 
-/// A sentence for each part that is not in it.
-std::vector<std::string> leftOutOf(const Character& character);
-
 /// Of a merged character. Errors: tooMany joints to be numbered in 16 bits; meshFailed without a
 /// mesh.
 Result<Figure> figureOf(const Character& character, const Evaluation& evaluation);
@@ -49,6 +46,10 @@ Result<Figure> figureOf(const Character& character, const Evaluation& evaluation
 std::string toBytes(const Figure& figure);
 /// Errors: unreadable.
 Result<Figure> figureFromBytes(const std::string& bytes);
+
+/// Its vertices that lie outermost, for each joint of those that follow it most, and of those that
+/// follow none: without triangles. They tell how far it reaches in a pose, all but a little.
+Figure outermost(const Figure& figure);
 
 /// For each joint of the figure the motion that a pose of the rig gives it, in space. Joints that
 /// the rig does not have follow the nearest above them that it has.

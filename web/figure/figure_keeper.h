@@ -36,6 +36,8 @@ class FigureKeeper {
   /// Of the drawing's present parts, or null. Its seams may still be as soft as they were before;
   /// its weights may be a guess, or of the rig before.
   const std::shared_ptr<const Figure>& figure() const { return shown_; }
+  /// See outermost; of the figure, where there is one.
+  const Figure& hull() const { return hull_; }
   /// Changes with the figure; never reused, nor that of any other mesh.
   uint64_t meshId() const { return mesh_id_; }
   /// It is of the drawing as it is now, with its final weights, and all that is painted over them.
@@ -57,6 +59,7 @@ class FigureKeeper {
   };
 
   std::shared_ptr<const Figure> made_, shown_;
+  Figure hull_;  // of made_
   Keys of_;      // what made_ was made of
   Keys wanted_;  // what there is now
   Keys begun_;   // of the work under way

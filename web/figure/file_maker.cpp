@@ -20,6 +20,11 @@ void FileMaker::giveUp() {
   given_up_ = number_ != 0;
 }
 
+void FileMaker::forgetLast() {
+  failure_.clear();
+  left_out_.clear();
+}
+
 std::optional<WorkOrder> FileMaker::update(bool occupied) {
   if (given_up_) {
     given_up_ = false;

@@ -21,6 +21,8 @@ class FileMaker {
   void ask(const Document& document, const FileOptions& options, const std::string& name);
   /// It is not wanted any more.
   void giveUp();
+  /// What was said of the last file is of no interest any more.
+  void forgetLast();
   /// Once a frame. occupied: something else is under way, and is waited for.
   std::optional<WorkOrder> update(bool occupied);
 

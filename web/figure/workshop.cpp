@@ -196,12 +196,13 @@ Result<bool> Workshop::makeFile(const Document& document, const FileOptions& opt
   if (needs_weights && !character.no_weights.empty()) {
     return {Status::meshFailed, character.no_weights};
   }
+  if (character.meshes.empty()) return {Status::meshFailed, leftOutOf(character).front()};
   Result<std::string> bytes{Status::meshFailed};
   if (is_gltf) {
     const GlbCharacter model = glbOf(character, rig, document, options.name);
     const GlbOptions how{options.metres_per_unit};
     bytes = options.format == Format::glb ? toGlb(model, how) : toGltf(model, how);
-  } else if (!character.meshes.empty()) {
+  } else {
     const SkinnedMesh body =
         posedMesh(character.meshes.front(), rig, pose ? pose->joints : Pose{}, options.skinning);
     bytes = options.format == Format::obj   ? Result<std::string>(toObj(body, character.paints))

@@ -38,6 +38,7 @@ constexpr std::array<Height, 4> kHeights{
 constexpr ImU32 kDone = IM_COL32(37, 99, 174, 60);
 constexpr double kSoftestSeam = 0.08;  // of the character's largest extent
 constexpr float kMostPoses = 4;        // rows; the list scrolls beyond
+constexpr double kDoubleClick_ms = 500;
 
 /// "1.25 m", "20 cm".
 std::string inWords(double metres) {
@@ -69,6 +70,7 @@ class ExportPanel {
     }
     if (box_.isEmpty()) {
       softText("There is nothing to export yet: draw a shape first.");
+      if (input_.file.busy()) making(ImGui::GetContentRegionAvail().x);
     } else {
       format();
       if (lowCanvas(ui_)) save();  // the options scroll
@@ -215,20 +217,24 @@ class ExportPanel {
         break;
       }
     }
-    return path.empty() ? path : path + ending;
+    return leaf(path).empty() ? std::string() : path + ending;
   }
 
   void save() {
     const FileMaker& maker = input_.file;
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::Dummy({0, 2});
+    // The button and what takes its place: a second click was meant for the first one.
+    if (std::exchange(exporting_.making, maker.busy()) != maker.busy()) {
+      exporting_.since_ms = ui_.now_ms;
+    }
     if (maker.busy()) {
       making(width);
       return;
     }
     const std::string name = target();
-    if (!name.empty() &&
-        accentButton("save", shortened("Save " + leaf(name), width - 24).c_str(), width, height_)) {
+    const std::string text = shortened("Save " + leaf(name), width - 24);
+    if (!name.empty() && accentButton("save", text.c_str(), width, height_) && isMeant()) {
       requests_.files.push_back({FileAction::Kind::make, name});
       requests_.again = true;
     }
@@ -253,11 +259,13 @@ class ExportPanel {
                 Theme::kText);
     ImGui::Dummy({room, height_});
     ImGui::SameLine(0, 8);
-    if (paleButton("cancel", "Cancel", kCancel, height_, "No file is made")) {
+    if (paleButton("cancel", "Cancel", kCancel, height_, "No file is made") && isMeant()) {
       requests_.files.push_back({FileAction::Kind::give_up, {}});
       requests_.again = true;
     }
   }
+
+  bool isMeant() const { return ui_.now_ms - exporting_.since_ms > kDoubleClick_ms; }
 
   static std::string leaf(const std::string& path) {
     return path.substr(path.find_last_of('/') + 1);
@@ -266,7 +274,7 @@ class ExportPanel {
   /// Of the last file, or of the figure, which knows before there is any.
   const std::vector<std::string>& leftOut() const {
     const auto& figure = input_.figure.figure();
-    if (figure && file_.hasBones() && !file_.parts) return figure->left_out;
+    if (figure && takesOneBody(file_)) return figure->left_out;
     return input_.file.leftOut();
   }
 

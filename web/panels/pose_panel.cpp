@@ -14,14 +14,12 @@ namespace marrow {
 namespace {
 
 constexpr size_t kMostRows = 5;  // the list scrolls beyond
+constexpr const char* kKeepFirst = "Keep the mix as a pose first";
 
-void renamePose(const PanelInput& input, const TypedText& typed, UiState& ui, Requests& requests) {
+void renamePose(const PanelInput& input, const TypedText& typed, Requests& requests) {
   const bool exists = input.shown.findPose(typed.owner) != nullptr;
   if (!exists || typed.text.empty() || typed.text == typed.owner) return;
   requests.commands.push_back(RenamePose{typed.owner, typed.text});
-  if (ui.posing.pose == typed.owner && !input.shown.findPose(typed.text)) {
-    ui.posing.pose = typed.text;
-  }
 }
 
 class PosePanel {
@@ -40,6 +38,15 @@ class PosePanel {
     progress();
     if (posing_.weights != Posing::Weights::hidden) {  // these need the room
       weights();
+      ButtonLook look{"Hides the weights  (W)"};
+      look.raised = true;
+      look.width = ImGui::GetContentRegionAvail().x;
+      ImGui::Dummy({0, 2});
+      if (textButton("back", "Back to the poses", height_, look)) {
+        posing_.weights = Posing::Weights::hidden;
+        posing_.brush.reset();
+        requests_.again = true;
+      }
       endPanel();
       return;
     }
@@ -82,19 +89,27 @@ class PosePanel {
 
   void progress() {
     const FigureKeeper& figure = input_.figure;
+    const FileMaker& file = input_.file;
+    if (file.busy() && !figure.ready()) {
+      bar("Making " + file.name().substr(file.name().find_last_of('/') + 1) + " first",
+          file.working() ? file.done() : 0);
+      return;
+    }
     if (!figure.failure().empty()) {
       softText(figure.failure().c_str());
       return;
     }
     if (figure.ready()) return;
-    std::string text = "Fitting the skin\xE2\x80\xA6";
-    if (figure.done() > 0) {
-      text += " " + std::to_string(static_cast<int>(std::lround(100 * figure.done()))) + " %";
-    }
+    bar("Fitting the skin", figure.done());
+  }
+
+  void bar(std::string text, double share) {
+    text += "\xE2\x80\xA6";
+    if (share > 0) text += " " + std::to_string(static_cast<int>(std::lround(100 * share))) + " %";
     softText(text.c_str());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    const float done = static_cast<float>(std::clamp(figure.done(), 0.03, 1.0));
+    const float done = static_cast<float>(std::clamp(share, 0.03, 1.0));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, {at.x + width, at.y + 4}, Theme::kHairline, 2);
     list.AddRectFilled(at, {at.x + width * done, at.y + 4}, Theme::kAccent, 2);
@@ -121,8 +136,7 @@ class PosePanel {
     look.width = ImGui::GetContentRegionAvail().x;
     if (textButton("new", "New pose", height_, look)) {
       const std::string name = freshPoseName(input_.shown);
-      ask(SetPose{name, withoutResting(input_.stance.pose)});
-      posing_.amount = 0;
+      ask(SetPose{name, withoutResting(input_.stance.wanted)});
       show(name);
     }
   }
@@ -143,7 +157,7 @@ class PosePanel {
       const auto typed = textField("name", pose.name, pose.name, "", width - 4);
       ImGui::PopStyleVar();
       tooltipForLastItem("The pose's name");
-      if (typed) renamePose(input_, {pose.name, *typed}, ui_, requests_);
+      if (typed) renamePose(input_, {pose.name, *typed}, requests_);
     } else {
       ButtonLook look;
       look.width = width - 4;
@@ -157,22 +171,23 @@ class PosePanel {
 
   void thisPose() {
     const float half = (ImGui::GetContentRegionAvail().x - 8) / 2;
-    ButtonLook look{"Left becomes right  "};
+    const bool mixes = posing_.amount > 0;
+    ButtonLook look{mixes ? kKeepFirst : "Left becomes right"};
     look.raised = true;
     look.width = half;
-    look.enabled = current_ && symmetryPlane(input_.shown);
+    look.enabled = !mixes && current_ && symmetryPlane(input_.shown);
     if (textButton("mirror", "Mirror", height_, look)) mirror();
     ImGui::SameLine();
-    look.tooltip = "All bones as they were drawn";
-    look.enabled = current_ && !current_->joints.empty();
+    look.tooltip = mixes ? kKeepFirst : "All bones as they were drawn";
+    look.enabled = !mixes && current_ && !current_->joints.empty();
     if (textButton("resetAll", "Reset all", height_, look)) ask(SetPose{current_->name, {}});
     const auto joint = chosen();
-    look.tooltip = "The chosen bone as it was drawn";
-    look.enabled = current_ && joint && current_->joints.count(boneId(*joint)) > 0;
+    if (joint) headingWithNote("Chosen bone", boneName(*joint).c_str());
+    const Pose reset = joint && current_ ? withoutBone(*joint) : Pose{};
+    look.tooltip = mixes ? kKeepFirst : "As it was drawn, and what else turns about the same joint";
+    look.enabled = !mixes && joint && current_ && reset != current_->joints;
     if (textButton("resetBone", "Reset bone", height_, look)) {
-      Pose pose = current_->joints;
-      pose.erase(boneId(*joint));
-      ask(SetPose{current_->name, pose});
+      ask(SetPose{current_->name, reset});
     }
     ImGui::SameLine();
     const bool pinned = posing_.pins.count(posing_.joint) > 0;
@@ -181,6 +196,22 @@ class PosePanel {
     look.on = pinned;
     if (textButton("pin", pinned ? "Unpin joint" : "Pin joint", height_, look)) requests_.key = 'n';
     if (!joint) softText("Drag a joint or a limb. Click a joint to choose it.");
+  }
+
+  /// The pose of now with the chosen bone as it was drawn; the whole stays where it is, unless its
+  /// root itself is chosen.
+  Pose withoutBone(size_t joint) const {
+    const Rig& rig = input_.stance.rest;
+    Pose pose = current_->joints;
+    const auto found = pose.find(boneId(joint));
+    if (found == pose.end()) return pose;
+    const uint32_t head = boneOf(rig, static_cast<uint32_t>(joint));
+    if (rig.joints[head].parent < 0 && head != joint) {
+      found->second.rotation = {};
+    } else {
+      pose.erase(found);
+    }
+    return withoutResting(pose);
   }
 
   void mirror() {
@@ -228,14 +259,14 @@ class PosePanel {
     look.width = ImGui::GetContentRegionAvail().x;
     if (textButton("keepMix", "Keep as a new pose", height_, look)) {
       const std::string kept = freshPoseName(input_.shown);
-      ask(SetPose{kept, withoutResting(input_.stance.pose)});
-      posing_.amount = 0;
+      ask(SetPose{kept, withoutResting(input_.stance.wanted)});
       show(kept);
     }
   }
 
   void weights() {
-    heading("Weights");
+    const bool hidden = posing_.weights == Posing::Weights::hidden;
+    heading(hidden ? "Weights and brush" : "Weights");
     const std::vector<Choice> all{{"hidden", "Hidden"}, {"joint", "One bone"}, {"all", "All"}};
     const size_t now = static_cast<size_t>(posing_.weights);
     const size_t next = choices(all, now, height_);
@@ -247,9 +278,11 @@ class PosePanel {
       posing_.brush.reset();
       return;
     }
+    const auto joint = chosen();
+    if (joint) headingWithNote("Chosen bone", boneName(*joint).c_str());
     if (posing_.weights == Posing::Weights::joint) {
-      softText(chosen() ? "How much the chosen bone holds: dark nothing, light all."
-                        : "Click a joint to see what its bone holds.");
+      softText(joint ? "How much it holds: dark nothing, light all."
+                     : "Click a joint to see what the bone that ends there holds.");
     }
     brush();
   }
@@ -268,7 +301,8 @@ class PosePanel {
       requests_.again = true;
     }
     if (!posing_.brush) return;
-    if (!chosen()) softText("Click the joint at the end of the bone to paint for.");
+    const bool smooths = posing_.brush == WeightStroke::Kind::smooth;
+    if (!chosen() && !smooths) softText("Click the joint at the end of the bone to paint for.");
     headingWithNote("Size", "[  ]");
     const double least = std::log(Posing::kLeastBrush_px);
     const double most = std::log(Posing::kLargestBrush_px);
@@ -288,18 +322,25 @@ class PosePanel {
     if (changed.reset) posing_.brush_strength = usual.brush_strength;
     requests_.again |= resized.changed || resized.reset || changed.changed || changed.reset;
     const auto joint = chosen();
-    const std::string id = joint ? boneId(*joint) : std::string();
-    const auto& strokes = input_.shown.weight_strokes;
-    const bool painted = joint && std::any_of(strokes.begin(), strokes.end(), [&](const auto& one) {
-                           return one->joint == id || one->joint == oppositeJoint(input_.shown, id);
-                         });
-    ButtonLook look{"What was painted for the chosen bone goes"};
+    const float half = (ImGui::GetContentRegionAvail().x - 8) / 2;
+    clearing("clearPaint", "Clear bone", "What was painted for the chosen bone goes", half,
+             joint ? std::optional<std::string>(boneId(*joint)) : std::nullopt);
+    ImGui::SameLine();
+    clearing("clearAll", "Clear all", "All that was painted and smoothed goes", half,
+             std::string());
+  }
+
+  void clearing(const char* id, const char* text, const char* tooltip, float width,
+                const std::optional<std::string>& joint) {
+    ButtonLook look{tooltip};
     look.raised = true;
-    look.enabled = painted;
-    look.width = ImGui::GetContentRegionAvail().x;
-    if (textButton("clearPaint", "Clear this bone's paint", height_, look)) {
-      ask(ClearWeightStrokes{id});
+    look.width = width;
+    look.enabled = false;
+    if (joint) {
+      const auto left = apply(input_.shown, ClearWeightStrokes{*joint});
+      look.enabled = left && left->weight_strokes.size() < input_.shown.weight_strokes.size();
     }
+    if (textButton(id, text, height_, look)) ask(ClearWeightStrokes{*joint});
   }
 
   void choose(const char* id, const std::vector<Choice>& two, bool& second) {
@@ -319,6 +360,11 @@ class PosePanel {
     return std::nullopt;
   }
 
+  /// As its file calls it.
+  std::string boneName(size_t joint) const {
+    const Rig& rig = input_.stance.rest;
+    return rig.joints[boneOf(rig, static_cast<uint32_t>(joint))].name;
+  }
   /// Id of the joint that turns the chosen bone.
   std::string boneId(size_t joint) const {
     const Rig& rig = input_.stance.rest;
@@ -327,6 +373,7 @@ class PosePanel {
 
   void show(const std::string& name) {
     posing_.pose = name;
+    posing_.amount = 0;
     requests_.again = true;
   }
   void ask(Command command) { requests_.commands.push_back(std::move(command)); }
@@ -344,7 +391,7 @@ class PosePanel {
 void drawPosePanel(const PanelInput& input, UiState& ui, Requests& requests) {
   const bool shown = ui.tool == ToolKind::pose && (!ui.narrow() || ui.open.pose);
   if (shown) PosePanel(input, ui, requests).draw();
-  if (const auto typed = leftText("pose")) renamePose(input, *typed, ui, requests);
+  if (const auto typed = leftText("pose")) renamePose(input, *typed, requests);
 }
 
 }  // namespace marrow

@@ -6,9 +6,19 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
   const canvas = Module['canvas'];
   const kinds = {mouse: 0, touch: 1, pen: 2};
   const types = {down: 0, move: 1, up: 2, cancel: 3, leave: 4};
+  const allocated = (size) => {
+    const address = _malloc(size);
+    if (!address) throw new RangeError('no memory left');
+    return address;
+  };
   const copied = (text) => {
-    const size = lengthBytesUTF8(text) + 1, address = _malloc(size);
+    const size = lengthBytesUTF8(text) + 1, address = allocated(size);
     stringToUTF8(text, address, size);
+    return address;
+  };
+  const placed = (bytes) => {
+    const address = allocated(bytes.length + 1);
+    HEAPU8.set(bytes, address);
     return address;
   };
   const raw = (name, text = '') => {
@@ -19,8 +29,7 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
   };
   const call = (name, text) => JSON.parse(raw(name, text));
   const openFile = (head, bytes) => {
-    const pointers = [copied(JSON.stringify(head)), _malloc(bytes.length + 1)];
-    HEAPU8.set(bytes, pointers[1]);
+    const pointers = [copied(JSON.stringify(head)), placed(bytes)];
     const answer = UTF8ToString(_marrow_file(pointers[0], pointers[1], bytes.length));
     pointers.forEach(_free);
     return JSON.parse(answer);
@@ -46,7 +55,7 @@ Module['postRun'] = [].concat(Module['postRun'] || [], function attach() {
 
   // What the app asks of files, storage and pictures, which have scripts of their own.
   const host = {
-    call, raw, copied, openFile, wake, frame, canvas, runJobs, perform: {},
+    call, raw, copied, placed, openFile, wake, frame, canvas, runJobs, perform: {},
     say(sentence) { call('say', sentence); wake(); },
   };
   marrowFiles(host);

@@ -29,14 +29,13 @@ function marrowFiles(host) {
   /// Opens a file; `handle` is what later saves write to.
   async function open(file, handle) {
     if (file.size > largest) return host.say(`${file.name} cannot be opened: it is larger than 64 MB.`);
-    let bytes;
+    const origin = {name: stem(file.name), place: file.name, file: file.name};
+    let answer;
     try {
-      bytes = new Uint8Array(await file.arrayBuffer());
+      answer = host.openFile(origin, new Uint8Array(await file.arrayBuffer()));
     } catch {
       return host.say(`${file.name} cannot be read.`);
     }
-    const origin = {name: stem(file.name), place: file.name, file: file.name};
-    const answer = host.openFile(origin, bytes);
     if (answer.hasFile && handle) handles.set(answer.drawing, handle);
     host.wake();
   }

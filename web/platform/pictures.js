@@ -77,8 +77,7 @@ function marrowPictures(host) {
       const shrink = Math.min(1, largestSide / longest);
       const canvas = drawn(image, Math.max(1, Math.round(image.naturalWidth * shrink)),
                            Math.max(1, Math.round(image.naturalHeight * shrink)));
-      const pixels = pixelsOf(canvas), at = _malloc(pixels.length);
-      HEAPU8.set(pixels, at);
+      const at = host.placed(pixelsOf(canvas));
       _marrow_pixels(job.drawing, canvas.width, canvas.height, image.naturalWidth,
                      image.naturalHeight, at);
       _free(at);

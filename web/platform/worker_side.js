@@ -5,18 +5,24 @@ if (typeof importScripts === 'function') {
   let compiled, run;
   const isCompiled = new Promise((resolve) => { compiled = resolve; });
   const runs = new Promise((resolve) => { run = resolve; });
+  const fail = () => postMessage({failed: true});
   Module['instantiateWasm'] = (imports, receive) => {
     isCompiled.then((module) => WebAssembly.instantiate(module, imports))
-        .then((instance) => receive(instance));
+        .then((instance) => receive(instance))
+        .catch(fail);
     return {};
   };
   Module['onRuntimeInitialized'] = run;
-  onmessage = async ({data}) => {
-    if (data.module) return compiled(data.module);
+  const work = async (request) => {
     await runs;
-    const size = lengthBytesUTF8(data.request) + 1, address = _malloc(size);
-    stringToUTF8(data.request, address, size);
+    const size = lengthBytesUTF8(request) + 1, address = _malloc(size);
+    if (!address) throw new RangeError('no memory left');
+    stringToUTF8(request, address, size);
     _marrow_work(address);
     _free(address);
+  };
+  onmessage = ({data}) => {
+    if (data.request === undefined) return data.module ? compiled(data.module) : fail();
+    work(data.request).catch(fail);
   };
 }

@@ -106,9 +106,10 @@ void Hand::begin(const DrawTool& gesture, bool shift, UiState& ui, const World& 
         if (beginBrush(ui, world)) mode_ = Mode::brush;
         break;
       }
-      const auto joint = jointToGrab(from_px_, stance.posed, ui.camera, ui.size, ui.touch());
+      const auto joint = jointToGrab(from_px_, stance, ui.camera, ui.size, ui.touch());
       if (!joint) break;
       const auto way = ui.posing.turns ? PoseTool::Way::turn : PoseTool::Way::pull;
+      beginPose(ui, world);
       pose_.begin(stance, *joint, way, from_px_, ui.camera, ui.size);
       ui.posing.joint = stance.rest.joints[*joint].id;
       mode_ = Mode::pose;
@@ -189,6 +190,10 @@ void Hand::cancel(UiState& ui) {
   const bool edits = mode_ == Mode::transform || mode_ == Mode::contour || mode_ == Mode::pose ||
                      mode_ == Mode::brush;
   if (edits) ui.edit.reset();
+  if (mode_ == Mode::pose && pose_.changed() && !fresh_pose_.empty()) {
+    ui.posing.pose = pose_before_;
+    ui.posing.amount = amount_before_;
+  }
   brush_.end();
   transform_.end();
   pose_.end();
@@ -196,14 +201,23 @@ void Hand::cancel(UiState& ui) {
   mode_ = Mode::idle;
 }
 
+// What a hand changes is a pose of its own: never the rest, and not what two are mixed from.
+void Hand::beginPose(const UiState& ui, const World& world) {
+  const bool changes = world.document.findPose(ui.posing.pose) && !(ui.posing.amount > 0);
+  fresh_pose_ = changes ? std::string() : freshPoseName(world.document);
+  pose_before_ = ui.posing.pose;
+  amount_before_ = ui.posing.amount;
+}
+
 bool Hand::beginBrush(const UiState& ui, const World& world) {
   const Stance& stance = world.stance;
   const auto& joints = stance.rest.joints;
+  const bool smooths = ui.posing.brush == WeightStroke::Kind::smooth;
   const auto chosen = jointOf(stance.rest, ui.posing.joint);
-  if (!world.figure || !chosen) return false;
+  if (!world.figure || (!chosen && !smooths)) return false;
   BrushTool::Brush brush;
   brush.kind = *ui.posing.brush;
-  brush.joint = joints[boneOf(stance.rest, *chosen)].id;
+  if (!smooths) brush.joint = joints[boneOf(stance.rest, *chosen)].id;
   brush.radius = ui.posing.brush_px / ui.camera.zoom;
   brush.strength = ui.posing.brush_strength;
   const auto motions = motionsOf(*world.figure, stance.rest, posed(stance.rest, stance.pose));
@@ -215,6 +229,7 @@ bool Hand::beginByKey(TransformKind kind, Vec2 pointer_px, UiState& ui, const Wo
   if (ui.tool == ToolKind::pose) {
     const auto chosen = jointOf(world.stance.rest, ui.posing.joint);
     if (!chosen || kind == TransformKind::scale) return false;
+    beginPose(ui, world);
     pose_.beginByKey(world.stance, *chosen, kind, pointer_px, ui.camera, ui.size);
     mode_ = Mode::pose;
     return true;
@@ -265,7 +280,12 @@ Command Hand::poseCommand(const UiState& ui) const {
 }
 
 void Hand::showPose(UiState& ui) {
-  if (pose_.changed()) ui.edit = PendingEdit{poseCommand(ui)};
+  if (!pose_.changed()) return;
+  if (!fresh_pose_.empty()) {
+    ui.posing.pose = fresh_pose_;
+    ui.posing.amount = 0;
+  }
+  ui.edit = PendingEdit{poseCommand(ui)};
 }
 
 void Hand::showTransform(UiState& ui) {

@@ -63,6 +63,7 @@ class Hand {
   void showTransform(UiState& ui);
   void showPose(UiState& ui);
   Command poseCommand(const UiState& ui) const;
+  void beginPose(const UiState& ui, const World& world);
   bool beginBrush(const UiState& ui, const World& world);
 
   Mode mode_ = Mode::idle;
@@ -73,6 +74,9 @@ class Hand {
   TransformTool transform_;
   ContourTool contour_;
   PoseTool pose_;
+  std::string fresh_pose_;   // name of the pose that a first move begins; may be empty
+  std::string pose_before_;  // what was shown then
+  double amount_before_ = 0;
   BrushTool brush_;
 };
 

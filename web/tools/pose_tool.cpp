@@ -40,8 +40,12 @@ uint32_t boneOf(const Rig& rig, uint32_t joint) {
   return parent < 0 ? joint : static_cast<uint32_t>(parent);
 }
 
-std::optional<uint32_t> jointToGrab(Vec2 pixel, const Rig& posed, const Camera& camera,
+std::optional<uint32_t> jointToGrab(Vec2 pixel, const Stance& stance, const Camera& camera,
                                     ViewSize size, bool touch) {
+  const Rig& posed = stance.posed;
+  const auto isHidden = [&](size_t joint) {
+    return joint < stance.hidden.size() && stance.hidden[joint];
+  };
   // Of several that are meant the one in front; of joints in one place the last: a limb rather than
   // what it hangs on.
   const Vec3 back = camera.axes()[2];
@@ -56,17 +60,19 @@ std::optional<uint32_t> jointToGrab(Vec2 pixel, const Rig& posed, const Camera& 
   std::vector<Vec2> places;
   places.reserve(posed.joints.size());
   double nearest = touch ? kJointTouch_px : kJointReach_px;
-  for (const Rig::Joint& joint : posed.joints) {
-    places.push_back(camera.toScreen(joint.position, size));
-    nearest = std::min(nearest, distance(places.back(), pixel));
+  for (size_t i = 0; i < posed.joints.size(); ++i) {
+    places.push_back(camera.toScreen(posed.joints[i].position, size));
+    if (!isHidden(i)) nearest = std::min(nearest, distance(places.back(), pixel));
   }
   const double reach_px = touch ? kJointTouch_px : kJointReach_px;
   for (uint32_t i = 0; i < places.size(); ++i) {
+    if (isHidden(i)) continue;
     const double far = distance(places[i], pixel);
     if (far <= reach_px && far <= nearest + kAlike_px) offer(i, posed.joints[i].position);
   }
   if (found) return found;
   for (const auto& [head, tail] : posed.bones) {
+    if (isHidden(tail)) continue;
     const Rig::Joint &a = posed.joints[head], &b = posed.joints[tail];
     const Vec2 way = places[tail] - places[head];
     const double along = dot(way, way) > 0
@@ -76,7 +82,7 @@ std::optional<uint32_t> jointToGrab(Vec2 pixel, const Rig& posed, const Camera& 
     const double limb_px = std::max(radius * camera.zoom, touch ? kBoneTouch_px : kBoneReach_px);
     if (distance(pixel, places[head] + way * along) > limb_px) continue;
     // A root moves everything: only by its own joint.
-    const bool by_tail = along > 0.5 || a.parent < 0;
+    const bool by_tail = along > 0.5 || a.parent < 0 || isHidden(head);
     offer(by_tail ? tail : head, lerp(a.position, b.position, along));
   }
   return found;

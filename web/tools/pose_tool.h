@@ -17,7 +17,9 @@ struct Stance {
   Rig rest;
   Rig posed;  // the same joints where the pose has them
   Pose pose;
+  Pose wanted;                 // what it glides to; else the same
   std::vector<uint32_t> pins;  // joints that stay
+  std::vector<char> hidden;    // by joint: its part is not shown; empty: none is
 };
 
 /// The joint with this id.
@@ -29,7 +31,7 @@ uint32_t boneOf(const Rig& rig, uint32_t joint);
 
 /// The joint that a press there takes hold of: one that is near, or else an end of the bone whose
 /// limb is under the pixel.
-std::optional<uint32_t> jointToGrab(Vec2 pixel, const Rig& posed, const Camera& camera,
+std::optional<uint32_t> jointToGrab(Vec2 pixel, const Stance& stance, const Camera& camera,
                                     ViewSize size, bool touch);
 
 class PoseTool {
