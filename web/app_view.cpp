@@ -50,11 +50,11 @@ Insets App::frameInsets(const Insets& covered) const {
   return insets;
 }
 
-// A sheet of a phone would cover the model that it changes: the model moves beside it, and back
+// A sheet would cover the model that it changes: the model moves beside it, and back
 // again, unless the user looks elsewhere meanwhile.
 void App::makeRoom() {
   if (tools_.drawing().active() || hand_.mode() != Hand::Mode::idle || ui_.edit) return;
-  const Insets covered = ui_.narrow() ? panels_.covered(ui_, true) : Insets{};
+  const Insets covered = panels_.covered(ui_, true);
   const Camera now = ui_.glide.running() ? ui_.glide.destination() : ui_.camera;
   const bool untouched = room_ && now == room_->beside;
   const auto glide = [&](const Camera& to) {
@@ -67,10 +67,11 @@ void App::makeRoom() {
   }
   if (room_ && (!untouched || covered == room_->covered)) return;
   const Camera before = room_ ? room_->before : now;
-  const double bar_px = barHeight(ui_) + 2 * margin(ui_);
+  // The bars of a narrow canvas reach from side to side.
+  const double bar_px = ui_.narrow() ? barHeight(ui_) + 2 * margin(ui_) : 0;
   const Insets all = panels_.covered(ui_, false);
-  const Insets insets{all.left + margin(ui_), bar_px, covered.right + margin(ui_),
-                      std::max(covered.bottom + margin(ui_), bar_px)};
+  const Insets insets{std::max(all.left, covered.left) + margin(ui_), bar_px,
+                      covered.right + margin(ui_), std::max(covered.bottom + margin(ui_), bar_px)};
   const auto [low, high] = modelBox();
   room_ = Room{before, makingRoom(before, low, high, ui_.size, insets), covered};
   glide(room_->beside);

@@ -149,6 +149,88 @@ test('poses have names, are mirrored, mixed and put back', async (app) => {
   assert.equal((await poses(app)).length, 1);
 });
 
+test('a mix outlives a press, and ends when a pose is chosen or a joint is pulled', async (app) => {
+  await openPosing(app, 'dog');
+  const rest = await joint(app, 'Front leg.L.6');
+  await pull(app, 'Front leg.L.6', [60, -40]);
+  const posed = await joint(app, 'Front leg.L.6');
+  const mixHalf = async () => {
+    const slider = await app.widget('pose', 'mix');
+    const left = slider.x - slider.width / 2 + 8;
+    await app.drag([left, slider.y], [slider.x, slider.y]);
+  };
+  await mixHalf();
+  const mixed = await joint(app, 'Front leg.L.6');
+  assert.ok(apart(mixed.position, posed.position) > 5 && apart(mixed.position, rest.position) > 5);
+  const still = async () => {
+    await glidden(app);
+    assert.ok(apart((await joint(app, 'Front leg.L.6')).position, mixed.position) < 1e-9);
+    assert.equal((await posing(app)).pose, 'Pose 1');
+  };
+  await app.click(...(await joint(app, 'Tail.7')).pixel);
+  await still();
+  const [x, y] = (await joint(app, 'Tail.7')).pixel;
+  await app.page.mouse.move(x, y);
+  await app.page.mouse.down();
+  await app.page.mouse.move(x + 30, y + 40, {steps: 4});
+  await app.frames(3);
+  assert.equal((await posing(app)).pose, null, 'what is pulled becomes a pose of its own');
+  await app.key('Escape');
+  await app.page.mouse.up();
+  await still();
+  assert.equal((await poses(app)).length, 1);
+
+  await app.press('pose', 'rest');
+  await glidden(app);
+  assert.ok(apart((await joint(app, 'Front leg.L.6')).position, rest.position) < 1e-9);
+});
+
+test('a pose that is renamed stays chosen when that is undone and done again', async (app) => {
+  await openPosing(app, 'dog');
+  await pull(app, 'Front leg.L.6', [60, -40]);
+  const posed = await joint(app, 'Front leg.L.6');
+  await app.press('pose', 'name');
+  await app.page.keyboard.press('Control+a');
+  await app.page.keyboard.type('Give paw');
+  await app.key('Enter');
+  for (const [key, name] of [['Control+z', 'Pose 1'], ['Control+y', 'Give paw']]) {
+    await app.key(key);
+    await glidden(app);
+    assert.equal((await posing(app)).pose, name);
+    assert.ok(apart((await joint(app, 'Front leg.L.6')).position, posed.position) < 1e-9);
+  }
+});
+
+test('a bone is put back alone, and the whole stays where it is', async (app) => {
+  await openPosing(app, 'dog');
+  const root = (await posing(app)).joints[0];
+  await pull(app, root.name, [30, -20]);
+  await pull(app, 'Front leg.L.6', [60, -40]);
+  const moved = await joint(app, root.name);
+  assert.ok(apart(moved.position, root.position) > 10);
+  const paw = await joint(app, 'Front leg.L.6');
+  await app.press('pose', 'resetBone');
+  await glidden(app);
+  assert.ok(apart((await joint(app, 'Front leg.L.6')).position, paw.position) > 5);
+  assert.ok(apart((await joint(app, root.name)).position, moved.position) < 1e-9);
+});
+
+test('the model moves beside the panel, and back', async (app) => {
+  await openPosing(app, 'fish');
+  await app.key('p');
+  await app.settled();
+  const {camera} = await app.stats();
+  const right = async () => Math.max(...(await posing(app)).joints.map(({pixel}) => pixel[0]));
+  await app.key('p');
+  await app.settled();
+  const panel = (await app.stats()).widgets.find((one) => one.panel === 'pose' && one.id === 'new');
+  assert.ok(await right() < panel.x, `${await right()}`);
+  await app.screenshot('beside');
+  await app.key('p');
+  await app.settled();
+  assert.deepEqual((await app.stats()).camera, camera);
+});
+
 test('a pose keeps what still applies when the skeleton is refined', async (app) => {
   await openPosing(app, 'dog');
   await pull(app, 'Front leg.L.6', [60, -40]);
@@ -248,6 +330,19 @@ test('a brush gives a bone more of the skin, is undone, and its paint can be cle
   await ready(app);
   await app.settled();
   assert.deepEqual(await at(), cold);
+  // Without a chosen bone only smoothing has something to do.
+  await app.key('Escape');
+  assert.equal((await posing(app)).joint, '');
+  await app.drag([x - 5, y - 5], [x + 8, y + 8]);
+  assert.equal(await strokes(), 0);
+  assert.match((await app.stats()).message, /Click the joint/);
+  await app.press('pose', 'smooth');
+  await app.drag([x - 5, y - 5], [x + 8, y + 8]);
+  assert.equal(await strokes(), 1);
+  await app.press('pose', 'clearAll');
+  assert.equal(await strokes(), 0);
+  await app.press('pose', 'back');
+  assert.ok((await app.stats()).widgets.some(({panel, id}) => panel === 'pose' && id === 'new'));
 });
 
 test('fingers pose as well: one pulls, beside the character one turns the view, two pinch',

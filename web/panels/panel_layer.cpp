@@ -163,7 +163,8 @@ bool PanelLayer::keepOneAtLeft(PanelsOpen& open) {
   return frames_met_ > 0;
 }
 
-// What the panels take of the canvas's sides. Sheets lie at the bottom, or at the right of a low
+// What the panels take of the canvas's sides. by_model_sheets: by those alone that change or show
+// the model and are not there all the time. Sheets lie at the bottom, or at the right of a low
 // canvas, beside whose tools there is not much room either.
 Insets PanelLayer::covered(const UiState& ui, bool by_model_sheets) const {
   Insets covered;
@@ -180,8 +181,12 @@ Insets PanelLayer::covered(const UiState& ui, bool by_model_sheets) const {
   for (const char* name : {"part", "parts", "refine", "pose", "export", "view sheet"}) {
     if (ui.narrow()) cover(name, sheet_side);
   }
+  if (!ui.narrow()) {
+    cover("pose", &Insets::right);
+    cover("export", &Insets::left);
+  }
   if (by_model_sheets) return covered;
-  for (const char* name : {"part", "refine", "pose"}) {
+  for (const char* name : {"part", "refine"}) {
     if (!ui.narrow()) cover(name, &Insets::right);
   }
   for (const Side& side : kLeft) cover(side.name, ui.narrow() ? sheet_side : &Insets::left);

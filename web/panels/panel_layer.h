@@ -32,8 +32,8 @@ class PanelLayer {
 
   /// Draws all panels into ImGui's draw lists.
   Requests frame(const PanelInput& input, UiState& ui);
-  /// What the panels of the last frame take of the canvas. by_model_sheets: only a narrow canvas's
-  /// sheets about the model, which is to be seen beside them.
+  /// What the panels of the last frame take of the canvas. by_model_sheets: only what lies
+  /// there for a while and is about the model, which is to be seen beside it.
   Insets covered(const UiState& ui, bool by_model_sheets) const;
   /// Of what is to be drawn.
   uint64_t fingerprint() const;

@@ -368,7 +368,7 @@ void notePlace(const char* id) {
 void forgetPlaces() { places.clear(); }
 
 void tooltipForLastItem(const char* text) {
-  if (!*text || !ImGui::IsItemHovered()) return;
+  if (!*text || !ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
   if (GImGui->HoveredIdTimer < kTooltipDelay_s) return;
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
