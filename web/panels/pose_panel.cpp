@@ -182,7 +182,7 @@ class PosePanel {
     look.enabled = !mixes && current_ && !current_->joints.empty();
     if (textButton("resetAll", "Reset all", height_, look)) ask(SetPose{current_->name, {}});
     const auto joint = chosen();
-    if (joint) headingWithNote("Chosen bone", boneName(*joint).c_str());
+    if (joint) chosenBone(*joint);
     const Pose reset = joint && current_ ? withoutBone(*joint) : Pose{};
     look.tooltip = mixes ? kKeepFirst : "As it was drawn, and what else turns about the same joint";
     look.enabled = !mixes && joint && current_ && reset != current_->joints;
@@ -212,6 +212,11 @@ class PosePanel {
       pose.erase(found);
     }
     return withoutResting(pose);
+  }
+
+  void chosenBone(size_t joint) {
+    headingWithNote("Chosen bone", boneName(joint).c_str());
+    ImGui::Dummy({0, 0});
   }
 
   void mirror() {
@@ -279,7 +284,7 @@ class PosePanel {
       return;
     }
     const auto joint = chosen();
-    if (joint) headingWithNote("Chosen bone", boneName(*joint).c_str());
+    if (joint) chosenBone(*joint);
     if (posing_.weights == Posing::Weights::joint) {
       softText(joint ? "How much it holds: dark nothing, light all."
                      : "Click a joint to see what the bone that ends there holds.");
