@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "document/placed_parts.h"
 #include "document/placement.h"
+#include "document/posed_parts.h"
 #include "document/reference_image.h"
 #include "part/silhouette.h"
 #include "sketch/outline.h"
@@ -224,6 +225,7 @@ Result<Document> applyTo(const Document& document, const TransformParts& command
   if (!parts) return parts.error();
   std::set<std::string> named(command.ids.begin(), command.ids.end());
   Document next = document;
+  std::map<std::string, PartTurn> turns;
   bool all = !parts->empty() && parts->size() == document.parts.size();
   for (size_t i : *parts) {
     const PartSource& part = *document.parts[i];
@@ -242,8 +244,15 @@ Result<Document> applyTo(const Document& document, const TransformParts& command
                       moved->mesh == part.mesh;
     if (same) continue;
     bringStrokes(part, map, *moved, next);
+    turns[part.id] = turnOf(part.frame, map, moved->frame);
+    if (part.mirror) {
+      const Affine of_twin = itself && twin ? command.map : mirrored(map, *part.mirror);
+      turns[part.id + kTwinSuffix] = turnOf(mirrored(part.frame, *part.mirror), of_twin,
+                                            mirrored(moved->frame, *moved->mirror));
+    }
     next.parts[i] = share(std::move(*moved));
   }
+  turnPosed(turns, next);
   if (all && document.symmetry) {
     next.symmetry = mapped(*document.symmetry, command.map);
     if (!next.symmetry) return noPlane();
@@ -299,14 +308,28 @@ Result<Document> applyTo(const Document& document, const SetStroke& command) {
                      [&](PartSource& part) { return assign(part.stroke, stroke); });
 }
 
+/// What becomes of the part's twin where it is mirrored across another plane.
+PartTurn turnOfTwin(const PartSource& part, const Plane& plane) {
+  const auto direction = [&](Vec3 axis) {
+    return mirroredDirection(mirroredDirection(axis, *part.mirror), plane);
+  };
+  const Affine map{direction({1, 0, 0}), direction({0, 1, 0}), direction({0, 0, 1}), {}};
+  return turnOf(mirrored(part.frame, *part.mirror), map, mirrored(part.frame, plane));
+}
+
 Result<Document> applyTo(const Document& document, const SetMirror& command) {
   std::optional<Plane> plane;
   if (command.plane) {
     plane = normalised(*command.plane);
     if (!plane) return noPlane();
   }
-  return changeUnlocked(document, command.ids,
-                        [&](PartSource& part) { return assign(part.mirror, plane); });
+  std::map<std::string, PartTurn> turns;
+  auto next = changeUnlocked(document, command.ids, [&](PartSource& part) {
+    if (part.mirror && plane) turns[part.id + kTwinSuffix] = turnOfTwin(part, *plane);
+    return assign(part.mirror, plane);
+  });
+  if (next) turnPosed(turns, *next);
+  return next;
 }
 
 /// Where the twin of a part hangs, if the part's attachment is this one.
@@ -322,10 +345,10 @@ Attachment attachmentOfTwin(const Document& document, const Attachment& attachme
   return {attachment.part, {at.x, at.y}};
 }
 
-/// What lay on twins lies on the parts that they became. new_id: of what was a twin.
-void separateStrokes(const Document& before, const std::map<std::string, std::string>& new_id,
-                     Document& document) {
-  if (document.weight_strokes.empty()) return;
+/// What was painted on twins and how they were posed is that of the parts that they became. new_id:
+/// of what was a twin.
+void separateStrokesAndPoses(const Document& before,
+                             const std::map<std::string, std::string>& new_id, Document& document) {
   const auto renamed = [&](const std::string& placed_id) {
     const auto found = new_id.find(placed_id);
     return found == new_id.end() ? placed_id : found->second;
@@ -343,6 +366,8 @@ void separateStrokes(const Document& before, const std::map<std::string, std::st
     stroke.joint = std::move(joint);
     shared = std::make_shared<const WeightStroke>(std::move(stroke));
   }
+  const auto jointRenamed = [&](const std::string& joint) { return renamedJoint(joint, renamed); };
+  renamePosed(jointRenamed, document);
 }
 
 Result<Document> applyTo(const Document& document, const SeparateTwins& command) {
@@ -390,7 +415,7 @@ Result<Document> applyTo(const Document& document, const SeparateTwins& command)
     retarget(twin->second);
     next.parts.push_back(share(std::move(twin->second)));
   }
-  separateStrokes(document, new_id, next);
+  separateStrokesAndPoses(document, new_id, next);
   if (next.weight_strokes.size() > Document::kMostWeightStrokes) return Status::tooMany;
   return next;
 }
