@@ -262,8 +262,12 @@ Result<Document> applyTo(const Document& document, const TransformParts& command
 
 Result<Document> applyTo(const Document& document, const SetThickness& command) {
   const double thickness = clamp(command.thickness, kMinThickness, kMaxThickness);
-  return changeUnlocked(document, command.ids,
-                        [=](PartSource& part) { return assign(part.thickness, thickness); });
+  const auto parts = findUnlocked(document, command.ids);
+  auto next = changeParts(document, parts,
+                          [=](PartSource& part) { return assign(part.thickness, thickness); });
+  if (!next) return next;
+  for (size_t i : *parts) bringStrokes(*document.parts[i], {}, *next->parts[i], *next);
+  return next;
 }
 
 Result<Document> applyTo(const Document& document, const SetColor& command) {

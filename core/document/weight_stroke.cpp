@@ -95,7 +95,11 @@ void bringStrokes(const PartSource& before, const Affine& map, const PartSource&
     const Vec3 along{dot(now.frame.x, d), dot(now.frame.y, d), dot(now.frame.z(), d)};
     return along / dot(now.frame.x, now.frame.x);
   };
-  const Affine own{within(before.frame.x), within(before.frame.y), within(before.frame.z()), {}};
+  // Depths are those of the surface, which no map shears.
+  const double deeper = now.thickness / before.thickness;
+  const bool turns_round = within(before.frame.z()).z < 0;
+  const Vec3 own_z{0, 0, turns_round ? -deeper : deeper};
+  const Affine own{within(before.frame.x), within(before.frame.y), own_z, {}};
   const bool same = distance(own.x, {1, 0, 0}) < kSamePlace &&
                     distance(own.y, {0, 1, 0}) < kSamePlace &&
                     distance(own.z, {0, 0, 1}) < kSamePlace;
