@@ -220,12 +220,41 @@ Result<Document> applyTo(const Document& document, const DuplicateParts& command
   return next;
 }
 
+/// What a map did to a part.
+struct Stretch {
+  Frame before;
+  Affine map;
+  Frame now;
+
+  Vec2 operator()(Vec2 p) const {
+    const Vec3 way = map.direction(before.x * p.x + before.y * p.y);
+    return Vec2{dot(now.x, way), dot(now.y, way)} / dot(now.x, now.x);
+  }
+};
+
+/// What hangs by the user's word on parts whose strokes were stretched hangs at the same places of
+/// them.
+void bringAttachments(const std::map<std::string, Stretch>& stretched, Document& document) {
+  if (stretched.empty()) return;
+  for (auto& shared : document.parts) {
+    if (!shared->attachment || shared->locked) continue;
+    const auto parent = stretched.find(sourceId(shared->attachment->part));
+    if (parent == stretched.end()) continue;
+    const Vec2 at = parent->second(shared->attachment->at);
+    if (!isDrawable(at)) continue;
+    PartSource part = *shared;
+    part.attachment->at = at;
+    shared = share(std::move(part));
+  }
+}
+
 Result<Document> applyTo(const Document& document, const TransformParts& command) {
   const auto parts = findUnlocked(document, command.ids);
   if (!parts) return parts.error();
   std::set<std::string> named(command.ids.begin(), command.ids.end());
   Document next = document;
   std::map<std::string, PartTurn> turns;
+  std::map<std::string, Stretch> stretched;
   bool all = !parts->empty() && parts->size() == document.parts.size();
   for (size_t i : *parts) {
     const PartSource& part = *document.parts[i];
@@ -250,9 +279,11 @@ Result<Document> applyTo(const Document& document, const TransformParts& command
       turns[part.id + kTwinSuffix] = turnOf(mirrored(part.frame, *part.mirror), of_twin,
                                             mirrored(moved->frame, *moved->mirror));
     }
+    if (moved->stroke != part.stroke) stretched[part.id] = {part.frame, map, moved->frame};
     next.parts[i] = share(std::move(*moved));
   }
   turnPosed(turns, next);
+  bringAttachments(stretched, next);
   if (all && document.symmetry) {
     next.symmetry = mapped(*document.symmetry, command.map);
     if (!next.symmetry) return noPlane();
