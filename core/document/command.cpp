@@ -268,10 +268,7 @@ Result<Document> applyTo(const Document& document, const TransformParts& command
       moved->mirror = mapped(*part.mirror, command.map);
       if (!moved->mirror) return noPlane();
     }
-    const bool same = moved->frame == part.frame && moved->mirror == part.mirror &&
-                      moved->thickness == part.thickness && moved->stroke == part.stroke &&
-                      moved->mesh == part.mesh;
-    if (same) continue;
+    // A drawn part that is mirrored across its own plane is the same; what is on it is not.
     bringStrokes(part, map, *moved, next);
     turns[part.id] = turnOf(part.frame, map, moved->frame);
     if (part.mirror) {
@@ -279,6 +276,10 @@ Result<Document> applyTo(const Document& document, const TransformParts& command
       turns[part.id + kTwinSuffix] = turnOf(mirrored(part.frame, *part.mirror), of_twin,
                                             mirrored(moved->frame, *moved->mirror));
     }
+    const bool same = moved->frame == part.frame && moved->mirror == part.mirror &&
+                      moved->thickness == part.thickness && moved->stroke == part.stroke &&
+                      moved->mesh == part.mesh;
+    if (same) continue;
     if (moved->stroke != part.stroke) stretched[part.id] = {part.frame, map, moved->frame};
     next.parts[i] = share(std::move(*moved));
   }

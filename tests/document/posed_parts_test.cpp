@@ -129,6 +129,8 @@ TEST_CASE("posed parts: a character that is turned, scaled or mirrored strikes t
     document = posedDocument(document, rig, random);
     Affine map = randomSimilarity(random);
     if (run % 3 == 2) map.y = -map.y;
+    // Across their own plane drawn parts are the same: only the poses tell.
+    if (run == 0) map = {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {}};
     const Document after =
         must(apply(document, TransformParts{allPlacedIds(document), map, "Turn"}));
     const Rig rig_after = rigOf(after, workshop);

@@ -108,6 +108,19 @@ TEST_CASE("weight strokes: they move, turn, scale and stretch with their part",
   }
 }
 
+TEST_CASE("weight strokes: a part that is mirrored across its own plane has them on the other side",
+          "[weight_strokes]") {
+  WeightStroke stroke = onLeg();
+  stroke.part = "part-1";
+  const Document before = must(apply(creature(), AddWeightStroke{stroke}));
+  const Affine mirror{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {}};
+  const Document after = must(apply(before, TransformParts{{"part-1"}, mirror}));
+  REQUIRE(after.parts == before.parts);
+  std::vector<Vec3> mirrored_points;
+  for (const Vec3 p : stroke.points) mirrored_points.push_back(mirror(p));
+  REQUIRE(apart(placedStrokes(after)[0].trails[0].points, mirrored_points) < 1e-9);
+}
+
 TEST_CASE("weight strokes: they stay on the surface of what becomes thicker or thinner",
           "[weight_strokes]") {
   Evaluation evaluation;
