@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "document/placed_parts.h"
 #include "document/placement.h"
+#include "document/posed_parts.h"
 #include "document/reference_image.h"
 #include "part/silhouette.h"
 #include "sketch/outline.h"
@@ -219,11 +220,41 @@ Result<Document> applyTo(const Document& document, const DuplicateParts& command
   return next;
 }
 
+/// What a map did to a part.
+struct Stretch {
+  Frame before;
+  Affine map;
+  Frame now;
+
+  Vec2 operator()(Vec2 p) const {
+    const Vec3 way = map.direction(before.x * p.x + before.y * p.y);
+    return Vec2{dot(now.x, way), dot(now.y, way)} / dot(now.x, now.x);
+  }
+};
+
+/// What hangs by the user's word on parts whose strokes were stretched hangs at the same places of
+/// them.
+void bringAttachments(const std::map<std::string, Stretch>& stretched, Document& document) {
+  if (stretched.empty()) return;
+  for (auto& shared : document.parts) {
+    if (!shared->attachment || shared->locked) continue;
+    const auto parent = stretched.find(sourceId(shared->attachment->part));
+    if (parent == stretched.end()) continue;
+    const Vec2 at = parent->second(shared->attachment->at);
+    if (!isDrawable(at)) continue;
+    PartSource part = *shared;
+    part.attachment->at = at;
+    shared = share(std::move(part));
+  }
+}
+
 Result<Document> applyTo(const Document& document, const TransformParts& command) {
   const auto parts = findUnlocked(document, command.ids);
   if (!parts) return parts.error();
   std::set<std::string> named(command.ids.begin(), command.ids.end());
   Document next = document;
+  std::map<std::string, PartTurn> turns;
+  std::map<std::string, Stretch> stretched;
   bool all = !parts->empty() && parts->size() == document.parts.size();
   for (size_t i : *parts) {
     const PartSource& part = *document.parts[i];
@@ -237,13 +268,23 @@ Result<Document> applyTo(const Document& document, const TransformParts& command
       moved->mirror = mapped(*part.mirror, command.map);
       if (!moved->mirror) return noPlane();
     }
+    // A drawn part that is mirrored across its own plane is the same; what is on it is not.
+    bringStrokes(part, map, *moved, next);
+    turns[part.id] = turnOf(part.frame, map, moved->frame);
+    if (part.mirror) {
+      const Affine of_twin = itself && twin ? command.map : mirrored(map, *part.mirror);
+      turns[part.id + kTwinSuffix] = turnOf(mirrored(part.frame, *part.mirror), of_twin,
+                                            mirrored(moved->frame, *moved->mirror));
+    }
     const bool same = moved->frame == part.frame && moved->mirror == part.mirror &&
                       moved->thickness == part.thickness && moved->stroke == part.stroke &&
                       moved->mesh == part.mesh;
     if (same) continue;
-    bringStrokes(part, map, *moved, next);
+    if (moved->stroke != part.stroke) stretched[part.id] = {part.frame, map, moved->frame};
     next.parts[i] = share(std::move(*moved));
   }
+  turnPosed(turns, next);
+  bringAttachments(stretched, next);
   if (all && document.symmetry) {
     next.symmetry = mapped(*document.symmetry, command.map);
     if (!next.symmetry) return noPlane();
@@ -253,8 +294,12 @@ Result<Document> applyTo(const Document& document, const TransformParts& command
 
 Result<Document> applyTo(const Document& document, const SetThickness& command) {
   const double thickness = clamp(command.thickness, kMinThickness, kMaxThickness);
-  return changeUnlocked(document, command.ids,
-                        [=](PartSource& part) { return assign(part.thickness, thickness); });
+  const auto parts = findUnlocked(document, command.ids);
+  auto next = changeParts(document, parts,
+                          [=](PartSource& part) { return assign(part.thickness, thickness); });
+  if (!next) return next;
+  for (size_t i : *parts) bringStrokes(*document.parts[i], {}, *next->parts[i], *next);
+  return next;
 }
 
 Result<Document> applyTo(const Document& document, const SetColor& command) {
@@ -299,14 +344,28 @@ Result<Document> applyTo(const Document& document, const SetStroke& command) {
                      [&](PartSource& part) { return assign(part.stroke, stroke); });
 }
 
+/// What becomes of the part's twin where it is mirrored across another plane.
+PartTurn turnOfTwin(const PartSource& part, const Plane& plane) {
+  const auto direction = [&](Vec3 axis) {
+    return mirroredDirection(mirroredDirection(axis, *part.mirror), plane);
+  };
+  const Affine map{direction({1, 0, 0}), direction({0, 1, 0}), direction({0, 0, 1}), {}};
+  return turnOf(mirrored(part.frame, *part.mirror), map, mirrored(part.frame, plane));
+}
+
 Result<Document> applyTo(const Document& document, const SetMirror& command) {
   std::optional<Plane> plane;
   if (command.plane) {
     plane = normalised(*command.plane);
     if (!plane) return noPlane();
   }
-  return changeUnlocked(document, command.ids,
-                        [&](PartSource& part) { return assign(part.mirror, plane); });
+  std::map<std::string, PartTurn> turns;
+  auto next = changeUnlocked(document, command.ids, [&](PartSource& part) {
+    if (part.mirror && plane) turns[part.id + kTwinSuffix] = turnOfTwin(part, *plane);
+    return assign(part.mirror, plane);
+  });
+  if (next) turnPosed(turns, *next);
+  return next;
 }
 
 /// Where the twin of a part hangs, if the part's attachment is this one.
@@ -322,10 +381,10 @@ Attachment attachmentOfTwin(const Document& document, const Attachment& attachme
   return {attachment.part, {at.x, at.y}};
 }
 
-/// What lay on twins lies on the parts that they became. new_id: of what was a twin.
-void separateStrokes(const Document& before, const std::map<std::string, std::string>& new_id,
-                     Document& document) {
-  if (document.weight_strokes.empty()) return;
+/// What was painted on twins and how they were posed is that of the parts that they became. new_id:
+/// of what was a twin.
+void separateStrokesAndPoses(const Document& before,
+                             const std::map<std::string, std::string>& new_id, Document& document) {
   const auto renamed = [&](const std::string& placed_id) {
     const auto found = new_id.find(placed_id);
     return found == new_id.end() ? placed_id : found->second;
@@ -343,6 +402,8 @@ void separateStrokes(const Document& before, const std::map<std::string, std::st
     stroke.joint = std::move(joint);
     shared = std::make_shared<const WeightStroke>(std::move(stroke));
   }
+  const auto jointRenamed = [&](const std::string& joint) { return renamedJoint(joint, renamed); };
+  renamePosed(jointRenamed, document);
 }
 
 Result<Document> applyTo(const Document& document, const SeparateTwins& command) {
@@ -390,7 +451,7 @@ Result<Document> applyTo(const Document& document, const SeparateTwins& command)
     retarget(twin->second);
     next.parts.push_back(share(std::move(twin->second)));
   }
-  separateStrokes(document, new_id, next);
+  separateStrokesAndPoses(document, new_id, next);
   if (next.weight_strokes.size() > Document::kMostWeightStrokes) return Status::tooMany;
   return next;
 }

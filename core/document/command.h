@@ -39,7 +39,7 @@ struct DuplicateParts {
 /// Moves, turns and scales. A twin's id moves the twin, and its part as seen in the mirror. Where
 /// both are named the plane of symmetry goes with them, and so does the document's where all parts
 /// are named. What a map stretches unevenly is stretched into the stroke and the thickness.
-/// Errors: noArea for a map that flattens, or leaves the drawable.
+/// Poses go along (posed_parts.h). Errors: noArea for a map that flattens, or leaves the drawable.
 struct TransformParts {
   Ids ids;
   Affine map;

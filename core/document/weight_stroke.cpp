@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "document/document.h"
+#include "document/joint_id.h"
 #include "document/placed_parts.h"
 
 namespace marrow {
@@ -16,32 +17,6 @@ constexpr double kSamePlace = 1e-9;  // of the axes' length
 constexpr char kHangs[] = "a:";      // behind it another part's id
 constexpr size_t kHangsLength = sizeof kHangs - 1;
 
-/// As ids of parts stand in those of joints.
-std::string quoted(const std::string& id) {
-  std::string text;
-  for (const char c : id) text.append(c == '/' ? 2 : 1, c);
-  return text;
-}
-
-std::string unquoted(const std::string& text) {
-  std::string id;
-  for (size_t i = 0; i < text.size(); ++i) {
-    id += text[i];
-    if (text[i] == '/' && i + 1 < text.size() && text[i + 1] == '/') ++i;
-  }
-  return id;
-}
-
-/// Where a part's id ends: the first '/' that is not doubled.
-size_t endOfPart(const std::string& joint) {
-  for (size_t i = 0; i < joint.size(); ++i) {
-    if (joint[i] != '/') continue;
-    if (i + 1 == joint.size() || joint[i + 1] != '/') return i;
-    ++i;
-  }
-  return joint.size();
-}
-
 }  // namespace
 
 bool operator==(const WeightStroke& a, const WeightStroke& b) {
@@ -50,12 +25,13 @@ bool operator==(const WeightStroke& a, const WeightStroke& b) {
 }
 
 std::string renamedJoint(const std::string& joint, const RenamePlaced& rename) {
-  const size_t end = endOfPart(joint);
-  std::string renamed = quoted(rename(unquoted(joint.substr(0, end))));
+  const size_t end = lengthOfPart(joint);
+  std::string renamed = quotedPart(rename(unquotedPart(joint.substr(0, end))));
   if (joint.compare(std::min(end + 1, joint.size()), kHangsLength, kHangs) != 0) {
     return renamed + joint.substr(end);
   }
-  return renamed + '/' + kHangs + quoted(rename(unquoted(joint.substr(end + 1 + kHangsLength))));
+  return renamed + '/' + kHangs +
+         quotedPart(rename(unquotedPart(joint.substr(end + 1 + kHangsLength))));
 }
 
 std::string oppositePlaced(const Document& document, const std::string& placed_id) {
@@ -119,7 +95,11 @@ void bringStrokes(const PartSource& before, const Affine& map, const PartSource&
     const Vec3 along{dot(now.frame.x, d), dot(now.frame.y, d), dot(now.frame.z(), d)};
     return along / dot(now.frame.x, now.frame.x);
   };
-  const Affine own{within(before.frame.x), within(before.frame.y), within(before.frame.z()), {}};
+  // Depths are those of the surface, which no map shears.
+  const double deeper = now.thickness / before.thickness;
+  const bool turns_round = within(before.frame.z()).z < 0;
+  const Vec3 own_z{0, 0, turns_round ? -deeper : deeper};
+  const Affine own{within(before.frame.x), within(before.frame.y), own_z, {}};
   const bool same = distance(own.x, {1, 0, 0}) < kSamePlace &&
                     distance(own.y, {0, 1, 0}) < kSamePlace &&
                     distance(own.z, {0, 0, 1}) < kSamePlace;

@@ -65,8 +65,8 @@ Result<WeightStroke> strokeOnPart(const Document& document, const WeightStroke& 
 /// Those on parts that are not there go.
 void dropLostStrokes(Document& document);
 
-/// The part's frame became another by the map: strokes lie where the map took them. Bit for bit as
-/// before where the frame did all of it.
+/// The part's frame became another by the map, or its thickness another: strokes lie where its
+/// surface went. Bit for bit as before where the frame did all of it.
 void bringStrokes(const PartSource& before, const Affine& map, const PartSource& now,
                   Document& document);
 

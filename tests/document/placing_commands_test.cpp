@@ -220,6 +220,41 @@ TEST_CASE("placing: a part hangs where the user says, but not on itself", "[plac
   REQUIRE(faultOf(document).empty());
 }
 
+TEST_CASE("placing: what hangs on a stretched part hangs at the same place of it",
+          "[placing_commands]") {
+  Random random(3);
+  CreatureOptions options;
+  options.points = 20;
+  options.overruled = 0.8;
+  size_t stretched = 0;
+  for (int run = 0; run < 60; ++run) {
+    CAPTURE(run);
+    const Document document = randomCreature(random, 2 + random.below(10), options);
+    Affine map = randomSimilarity(random);
+    if (run % 3 > 0) map.y = map.y * 1.7;
+    if (run % 3 > 1) map.x = map.x + map.z * 0.4;
+    Ids ids = allPlacedIds(document);
+    if (run % 2 == 1) ids = {"part-1", "part-2"};
+    const Document after = must(apply(document, TransformParts{ids, map}));
+    REQUIRE(faultOf(after) == "");
+    for (size_t i = 0; i < after.parts.size(); ++i) {
+      const auto &was = document.parts[i]->attachment, &is = after.parts[i]->attachment;
+      REQUIRE(was.has_value() == is.has_value());
+      if (!was || was->part.empty()) continue;
+      REQUIRE(is->part == was->part);
+      const PartSource &before = partOf(document, sourceId(was->part)),
+                       &now = partOf(after, sourceId(was->part));
+      if (now.stroke == before.stroke) {
+        REQUIRE(is->at == was->at);
+        continue;
+      }
+      ++stretched;
+      REQUIRE(isNear(now.frame.toWorld(is->at), map(before.frame.toWorld(was->at))));
+    }
+  }
+  REQUIRE(stretched > 50);
+}
+
 TEST_CASE("placing: one root in a tree", "[placing_commands]") {
   Document document = drawnDocument(4);
   document = must(apply(document, SetRoot{"part-1", {}}));

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "document/command.h"
+#include "document/evaluation.h"
 #include "io/document_json.h"
 #include "support/catch.h"
 #include "support/creatures.h"
@@ -104,6 +105,82 @@ TEST_CASE("weight strokes: they move, turn, scale and stretch with their part",
     }
     // What the frame does needs no other stroke.
     if (run % 3 == 0) REQUIRE(after.weight_strokes[0] == before.weight_strokes[0]);
+  }
+}
+
+TEST_CASE("weight strokes: a part that is mirrored across its own plane has them on the other side",
+          "[weight_strokes]") {
+  WeightStroke stroke = onLeg();
+  stroke.part = "part-1";
+  const Document before = must(apply(creature(), AddWeightStroke{stroke}));
+  const Affine mirror{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {}};
+  const Document after = must(apply(before, TransformParts{{"part-1"}, mirror}));
+  REQUIRE(after.parts == before.parts);
+  std::vector<Vec3> mirrored_points;
+  for (const Vec3 p : stroke.points) mirrored_points.push_back(mirror(p));
+  REQUIRE(apart(placedStrokes(after)[0].trails[0].points, mirrored_points) < 1e-9);
+}
+
+TEST_CASE("weight strokes: they stay on the surface of what becomes thicker or thinner",
+          "[weight_strokes]") {
+  Evaluation evaluation;
+  Document drawn = creature(), imported;
+  evaluation.update(drawn);
+  Mesh lopsided = evaluation.parts()[1].part->mesh;
+  for (Vec3& p : lopsided.positions) p.z = 1.3 * p.z + 4 + 0.1 * p.x;
+  const auto mesh = std::make_shared<const Mesh>(lopsided);
+  const Frame frame = drawn.parts[1]->frame;
+  for (int i = 0; i < 2; ++i) imported = must(apply(imported, ImportPart{mesh, "Leg", frame}));
+  imported = must(apply(imported, SetMirror{{"part-2"}, Plane{{0, 0, 1}, 0}}));
+
+  for (const Document& start : {drawn, imported}) {
+    // Where vertices are, so that it can be told where they went.
+    Document document = start;
+    evaluation.update(document);
+    const auto surface = [&](size_t k) {
+      return evaluation.placed()[1].frame.toWorld(
+          evaluation.parts()[1].part->mesh.positions[17 * k]);
+    };
+    WeightStroke stroke = onLeg();
+    stroke.radius = 1e-3;
+    for (size_t k = 0; k < 20; ++k) stroke.points.push_back(surface(k));
+    stroke.points.erase(stroke.points.begin(), stroke.points.begin() + 3);
+    document = must(apply(document, AddWeightStroke{stroke}));
+    const auto isOnSurface = [&](const Document& changed) {
+      evaluation.update(changed);
+      const auto trails = placedStrokes(changed)[0].trails;
+      const Plane plane = *changed.parts[1]->mirror;
+      for (size_t k = 0; k < 20; ++k) {
+        CAPTURE(k);
+        REQUIRE(distance(trails[0].points.at(k), surface(k)) < 1e-4);
+        REQUIRE(distance(trails[1].points.at(k), mirrored(surface(k), plane)) <
+                1e-4);  // meshes are kept as floats
+      }
+    };
+    isOnSurface(document);
+    for (const double thickness : {2.5, 4., 0.3, 0.05, 1.}) {
+      document = must(apply(document, SetThickness{{"part-2:twin", "part-1"}, thickness}));
+      isOnSurface(document);
+      const Document same = must(apply(document, SetThickness{{"part-2"}, thickness}));
+      REQUIRE(same.weight_strokes[0] == document.weight_strokes[0]);
+    }
+    const Document other = must(apply(document, SetThickness{{"part-1"}, 3}));
+    REQUIRE(other.weight_strokes[0] == document.weight_strokes[0]);
+    // Stretched along its depth further than a part can be thick, and sheared.
+    const Frame& leg = document.parts[1]->frame;
+    const Vec3 z = leg.z();
+    Affine stretch;
+    const auto stretched = [&](Vec3 axis) { return axis + (z * 9 + leg.y) * dot(z, axis); };
+    stretch.x = stretched({1, 0, 0});
+    stretch.y = stretched({0, 1, 0});
+    stretch.z = stretched({0, 0, 1});
+    isOnSurface(must(apply(document, TransformParts{{"part-2"}, stretch})));
+    // The vertices of a drawn one change sides instead.
+    Affine mirror;
+    mirror.x = {-2, 0, 0};
+    if (document.parts[1]->mesh) {
+      isOnSurface(must(apply(document, TransformParts{{"part-2"}, mirror})));
+    }
   }
 }
 
