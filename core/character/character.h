@@ -54,7 +54,7 @@ struct Character;
 struct CharacterWatch {
   /// The character with quick weights, before the others are begun.
   std::function<void(const Character&)> first_guess;
-  /// Of the weights; where it says to stop, the character has none.
+  /// Of the weights, and between strokes; where it says to stop, the character has no weights.
   WeightProgress progress;
 };
 

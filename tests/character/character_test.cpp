@@ -206,20 +206,19 @@ TEST_CASE("character: strokes of the document change weights where they were pai
     other.kind = WeightStroke::Kind::smooth;
     other.trails[0].points[1].x += 60;
     Painting painting(before, rig);
-    CHECK(isAs(painting.with(nullptr), before));
-    CHECK(isAs(painting.with(&strokes[0]), after));
-    CHECK_FALSE(isAs(painting.with(&other), after));
-    CHECK(isAs(painting.with(nullptr), before));
-    painting.set(strokes);
-    CHECK(isAs(painting.with(nullptr), after));
-    CHECK_FALSE(isAs(painting.with(&other), after));
-    painting.set({strokes[0], other});
-    CHECK_FALSE(isAs(painting.with(nullptr), after));
-    painting.set(strokes);
-    CHECK(isAs(painting.with(nullptr), after));
-    CHECK(isAs(Painting(after, rig).with(nullptr), before));
-    painting.set({});
-    CHECK(isAs(painting.with(nullptr), before));
+    const auto isPaintedAs = [&](const std::vector<PlacedWeightStroke>& with, const Character& as) {
+      REQUIRE(painting.set(with));
+      return isAs(painting.skin(), as);
+    };
+    CHECK(isAs(painting.skin(), before));
+    CHECK(isPaintedAs(strokes, after));
+    CHECK_FALSE(isPaintedAs({other}, after));
+    CHECK(isPaintedAs({}, before));
+    CHECK(isPaintedAs(strokes, after));
+    CHECK_FALSE(isPaintedAs({strokes[0], other}, after));
+    CHECK(isPaintedAs(strokes, after));
+    CHECK(isAs(Painting(after, rig).skin(), before));
+    CHECK(isPaintedAs({}, before));
   }
 }
 
