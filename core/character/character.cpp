@@ -281,11 +281,11 @@ class Maker {
 
 }  // namespace
 
-CharacterOptions characterOptions(const Document& document) {
+CharacterOptions characterOptions(const Document& document, const Rig& rig) {
   CharacterOptions options;
   options.symmetry = symmetryPlane(document);
   options.blend = document.blend;
-  options.strokes = placedStrokes(document);
+  options.strokes = placedStrokes(document, rig);
   return options;
 }
 

@@ -45,8 +45,8 @@ struct CharacterOptions {
   MergeOptions merge;
   WeightOptions weighting;
 };
-/// As the document has it: symmetry, blend and strokes.
-CharacterOptions characterOptions(const Document& document);
+/// As the document has it, whose rig this is: symmetry, blend and strokes.
+CharacterOptions characterOptions(const Document& document, const Rig& rig);
 
 struct Character;
 

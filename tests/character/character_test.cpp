@@ -159,8 +159,8 @@ TEST_CASE("character: strokes of the document change weights where they were pai
   stroke.points = {{-90, -70, 58}, {-90, -110, 58}};
   const auto painted = apply(document, AddWeightStroke{stroke});
   REQUIRE(painted);
-  const auto options = [](const Document& of, bool merged) {
-    CharacterOptions made = characterOptions(of);
+  const auto options = [&](const Document& of, bool merged) {
+    CharacterOptions made = characterOptions(of, rig);
     made.weighting = quickWeightOptions();
     made.merged = merged;
     return made;
@@ -201,7 +201,7 @@ TEST_CASE("character: strokes of the document change weights where they were pai
                           return a.joints == b.joints && a.weights == b.weights;
                         });
     };
-    const std::vector<PlacedWeightStroke> strokes = placedStrokes(*painted);
+    const std::vector<PlacedWeightStroke> strokes = placedStrokes(*painted, rig);
     PlacedWeightStroke other = strokes[0];
     other.kind = WeightStroke::Kind::smooth;
     other.trails[0].points[1].x += 60;
@@ -225,7 +225,7 @@ TEST_CASE("character: strokes of the document change weights where they were pai
 TEST_CASE("character: soft seams are the document's, of the merged body alone", "[character]") {
   const Document document = *apply(creature(), SetBlend{25});
   const Evaluation evaluation = evaluated(document);
-  CharacterOptions options = characterOptions(document);
+  CharacterOptions options = characterOptions(document, evaluation.rig());
   options.weights = false;
   const Character soft = makeCharacter(evaluation, options);
   options.blend = 0;

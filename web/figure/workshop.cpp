@@ -140,7 +140,7 @@ Result<bool> Workshop::work(const std::string& request, const WorkTeller& tell, 
 
 bool Workshop::makeBody(const Document& document, const CharacterWatch& watch, Clock clock) {
   const uint64_t key = bodyKey(document, evaluation_);
-  CharacterOptions options = characterOptions(document);
+  CharacterOptions options = characterOptions(document, evaluation_.rig());
   const std::vector<PlacedWeightStroke> strokes = std::move(options.strokes);
   options.strokes.clear();
   const bool is_new = key == 0 || key != made_of_;
@@ -207,7 +207,7 @@ Result<bool> Workshop::makeFile(const Document& document, const FileOptions& opt
   Character own;  // what is no merged body with weights is made for this file alone
   const bool is_own = (is_gltf && options.parts) || !needs_weights;
   if (is_own) {
-    CharacterOptions how = characterOptions(document);
+    CharacterOptions how = characterOptions(document, evaluation_.rig());
     how.merged = !(is_gltf && options.parts);
     how.weights = needs_weights;
     own = makeCharacter(evaluation_, how, clock, watch);
