@@ -17,9 +17,9 @@ bool hangsAsBefore(const EvaluatedPart& before, const EvaluatedPart& now) {
          was.mirror == is.mirror && was.skeleton == is.skeleton && was.attachment == is.attachment;
 }
 
-/// Also where both were read from the same file.
-bool isSameMesh(const std::shared_ptr<const Mesh>& a, const std::shared_ptr<const Mesh>& b) {
-  return a == b || (a && b && a->triangles == b->triangles && a->positions == b->positions);
+using SharedMesh = std::shared_ptr<const Mesh>;
+bool isSameMesh(const SharedMesh& a, const SharedMesh& b) {
+  return a == b || (a && b && a->positions == b->positions && a->triangles == b->triangles);
 }
 
 }  // namespace
@@ -51,8 +51,9 @@ EvaluatedPart Evaluation::evaluate(const std::shared_ptr<const PartSource>& sour
                                    const EvaluatedPart* before) {
   if (!before) return rebuild(source);
   if (source == before->source) return *before;
-  if (source->stroke != before->source->stroke) return rebuild(source);
-  if (!isSameMesh(source->mesh, before->source->mesh)) return rebuild(source);
+  if (source->stroke != before->source->stroke || !isSameMesh(source->mesh, before->source->mesh)) {
+    return rebuild(source);
+  }
 
   EvaluatedPart next = *before;
   next.source = source;
