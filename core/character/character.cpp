@@ -17,14 +17,17 @@ namespace {
 constexpr uint32_t kNone = UINT32_MAX;
 constexpr double kSameNormal = 1e-6;  // 1 − cosine; closer ones share a vertex
 
-/// The strokes over the weights of the merged surface; and which vertices they reached.
-std::vector<char> paintOver(const Mesh& merged, const Rig& rig,
-                            const std::vector<PlacedWeightStroke>& strokes,
-                            std::vector<JointWeights>& weights) {
+/// The strokes over the weights of the merged surface; and which vertices they reached. Nothing
+/// where it was told to stop.
+std::optional<std::vector<char>> paintOver(const Mesh& merged, const Rig& rig,
+                                           const std::vector<PlacedWeightStroke>& strokes,
+                                           const std::function<bool()>& goOn,
+                                           std::vector<JointWeights>& weights) {
   std::vector<char> painted(merged.positions.size(), 0);
   if (strokes.empty()) return painted;
   const WeightPainter painter(merged, rig);
   for (const PlacedWeightStroke& stroke : strokes) {
+    if (!goOn()) return std::nullopt;
     for (const uint32_t v : painter.paint(stroke, weights)) painted[v] = 1;
   }
   return painted;
@@ -134,11 +137,12 @@ class Maker {
     }
     if (options_.weights) {
       if (seen_.first_guess) {
-        addWeights(quickWeightOptions(), {});
+        addWeights(quickWeightOptions(), {}, 0);
+        if (stopped_) return std::move(made_);
         seen_.first_guess(made_);
         for (SkinnedMesh& mesh : made_.meshes) mesh.skin.clear();
       }
-      addWeights(options_.weighting, seen_.progress);
+      addWeights(options_.weighting, seen_.progress, 1);
     }
     return std::move(made_);
   }
@@ -214,7 +218,8 @@ class Maker {
     }
   }
 
-  void addWeights(WeightOptions weighting, const WeightProgress& progress) {
+  /// done: of all weights, behind these.
+  void addWeights(WeightOptions weighting, const WeightProgress& progress, double done) {
     const Rig& rig = evaluation_.rig();
     WeightReport& weights = made_.weights.emplace();
     weights.bones = rig.bones.size();
@@ -232,11 +237,18 @@ class Maker {
     }
     made_.unpainted = jointWeights(field->at(merged), rig);
     std::vector<JointWeights> painted = made_.unpainted;
-    const std::vector<char> reached = paintOver(merged, rig, options_.strokes, painted);
+    const auto goOn = [&] { return !seen_.progress || seen_.progress(done); };
+    const auto reached = paintOver(merged, rig, options_.strokes, goOn, painted);
+    if (!reached) {
+      stopped_ = true;
+      made_.weights.reset();
+      made_.no_weights = "The weights were given up.";
+      return;
+    }
     if (options_.merged) {
       skinBody(painted, made_);
     } else {
-      for (SkinnedMesh& part : made_.meshes) skinPart(*field, painted, reached, part);
+      for (SkinnedMesh& part : made_.meshes) skinPart(*field, painted, *reached, part);
     }
     weights.min = 1;
     for (const SkinnedMesh& mesh : made_.meshes) report(mesh.skin, weights);
@@ -263,15 +275,16 @@ class Maker {
   Character made_;
   Stopwatch watch_;
   std::vector<uint32_t> paint_of_;  // by placed part
+  bool stopped_ = false;            // while strokes were painted
 };
 
 }  // namespace
 
-CharacterOptions characterOptions(const Document& document) {
+CharacterOptions characterOptions(const Document& document, const Rig& rig) {
   CharacterOptions options;
   options.symmetry = symmetryPlane(document);
   options.blend = document.blend;
-  options.strokes = placedStrokes(document);
+  options.strokes = placedStrokes(document, rig);
   return options;
 }
 

@@ -45,8 +45,8 @@ struct CharacterOptions {
   MergeOptions merge;
   WeightOptions weighting;
 };
-/// As the document has it: symmetry, blend and strokes.
-CharacterOptions characterOptions(const Document& document);
+/// As the document has it, whose rig this is: symmetry, blend and strokes.
+CharacterOptions characterOptions(const Document& document, const Rig& rig);
 
 struct Character;
 
@@ -54,7 +54,7 @@ struct Character;
 struct CharacterWatch {
   /// The character with quick weights, before the others are begun.
   std::function<void(const Character&)> first_guess;
-  /// Of the weights; where it says to stop, the character has none.
+  /// Of the weights, and between strokes; where it says to stop, the character has no weights.
   WeightProgress progress;
 };
 

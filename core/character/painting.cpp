@@ -6,64 +6,81 @@
 #include "character/joint_skin.h"
 
 namespace marrow {
+namespace {
+
+constexpr size_t kMostCovered = 8;  // × the vertices: what is kept of what was painted over
+
+}  // namespace
 
 Painting::Painting(const Character& character, const Rig& rig)
-    : character_(character),
-      painter_(character.merged.mesh, rig),
-      staying_(character.unpainted),
-      shown_(character.unpainted) {
-  if (character.meshes.empty() || staying_.empty()) return;
+    : character_(character), painter_(character.merged.mesh, rig) {
+  if (character.meshes.empty() || character.unpainted.empty()) return;
   const std::vector<uint32_t>& merged = character.meshes[0].merged_vertex;
-  starts_.assign(staying_.size() + 1, 0);
+  starts_.assign(character.unpainted.size() + 1, 0);
   for (const uint32_t v : merged) ++starts_[v + 1];
   for (size_t v = 1; v < starts_.size(); ++v) starts_[v] += starts_[v - 1];
   std::vector<uint32_t> filled(starts_.begin(), starts_.end() - 1);
   doubles_.resize(merged.size());
   for (uint32_t i = 0; i < merged.size(); ++i) doubles_[filled[merged[i]]++] = i;
   skin_.resize(merged.size());
-  for (uint32_t v = 0; v < staying_.size(); ++v) show({v}, staying_);
+  beginAgain();
 }
 
-void Painting::show(const std::vector<uint32_t>& vertices,
-                    const std::vector<JointWeights>& weights) {
-  for (const uint32_t v : vertices) {
-    const VertexSkin skin = skinOf(weights[v]);
-    for (uint32_t i = starts_[v]; i < starts_[v + 1]; ++i) skin_[doubles_[i]] = skin;
-  }
+void Painting::beginAgain() {
+  strokes_.clear();
+  covered_.clear();
+  covered_count_ = 0;
+  weights_ = last_ = character_.unpainted;
+  for (uint32_t v = 0; v < weights_.size(); ++v) show(v);
 }
 
-void Painting::set(std::vector<PlacedWeightStroke> strokes) {
-  if (skin_.empty()) return;
-  with(nullptr);
-  size_t first = strokes_.size();
-  const bool more = strokes.size() >= strokes_.size() &&
-                    std::equal(strokes_.begin(), strokes_.end(), strokes.begin());
-  std::vector<char> changed(staying_.size(), 0);
-  if (!more) {
-    std::fill(changed.begin(), changed.end(), 1);
-    staying_ = character_.unpainted;
-    first = 0;
-  }
+void Painting::show(uint32_t vertex) {
+  const VertexSkin skin = skinOf(weights_[vertex]);
+  for (uint32_t i = starts_[vertex]; i < starts_[vertex + 1]; ++i) skin_[doubles_[i]] = skin;
+}
+
+bool Painting::set(const std::vector<PlacedWeightStroke>& strokes, const WeightProgress& progress) {
+  if (skin_.empty()) return true;
+  const size_t most = std::min(strokes.size(), strokes_.size());
+  const auto end = strokes_.begin() + static_cast<std::ptrdiff_t>(most);
+  const auto differ = std::mismatch(strokes_.begin(), end, strokes.begin()).first;
+  goBack(static_cast<size_t>(differ - strokes_.begin()));
+  const size_t first = strokes_.size();
   for (size_t i = first; i < strokes.size(); ++i) {
-    for (const uint32_t v : painter_.paint(strokes[i], staying_)) changed[v] = 1;
+    const double done =
+        static_cast<double>(i - first) / static_cast<double>(strokes.size() - first);
+    if (i > first && progress && !progress(done)) return false;
+    paint(strokes[i]);
   }
-  strokes_ = std::move(strokes);
-  for (uint32_t v = 0; v < changed.size(); ++v) {
-    if (!changed[v]) continue;
-    shown_[v] = staying_[v];
-    show({v}, staying_);
+  return true;
+}
+
+void Painting::goBack(size_t strokes) {
+  if (strokes_.size() - strokes > covered_.size()) return beginAgain();
+  for (; strokes_.size() > strokes; strokes_.pop_back()) {
+    for (Covered& one : covered_.back()) {
+      last_[one.vertex] = one.weights;
+      weights_[one.vertex] = std::move(one.weights);
+      show(one.vertex);
+    }
+    covered_count_ -= covered_.back().size();
+    covered_.pop_back();
   }
 }
 
-const std::vector<VertexSkin>& Painting::with(const PlacedWeightStroke* stroke) {
-  if (skin_.empty()) return skin_;
-  for (const uint32_t v : on_top_) shown_[v] = staying_[v];
-  show(on_top_, staying_);
-  on_top_.clear();
-  if (!stroke) return skin_;
-  on_top_ = painter_.paint(*stroke, shown_);
-  show(on_top_, shown_);
-  return skin_;
+void Painting::paint(const PlacedWeightStroke& stroke) {
+  std::vector<Covered>& covered = covered_.emplace_back();
+  for (const uint32_t v : painter_.paint(stroke, weights_)) {
+    covered.push_back({v, std::move(last_[v])});
+    last_[v] = weights_[v];
+    show(v);
+  }
+  strokes_.push_back(stroke);
+  covered_count_ += covered.size();
+  while (covered_.size() > 1 && covered_count_ > kMostCovered * weights_.size()) {
+    covered_count_ -= covered_.front().size();
+    covered_.pop_front();
+  }
 }
 
 }  // namespace marrow

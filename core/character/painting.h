@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "character/character.h"
@@ -9,28 +10,40 @@
 namespace marrow {
 
 /// Of a merged character with weights: what makeCharacter would make of it with other strokes, to
-/// the bit, without computing the weights again. What stays is painted once.
+/// the bit, without computing the weights again. Only strokes that differ from those before, and
+/// what was painted after them, are painted.
 class Painting {
  public:
   /// Both must outlive this. O(n log n).
   Painting(const Character& character, const Rig& rig);
 
-  /// The strokes that stay, in place of those before; only what differs from them is painted.
-  void set(std::vector<PlacedWeightStroke> strokes);
+  /// The strokes, in place of those before. What the last ones painted over is kept, so that it
+  /// takes no more than what differs; only to go back further begins at the first stroke again.
+  /// progress: between two strokes, how much is done; where it says to stop the later ones are
+  /// missing, till the next call, and the answer is false.
+  bool set(const std::vector<PlacedWeightStroke>& strokes,
+           const WeightProgress& progress = nullptr);
 
-  /// With one more stroke on top, the one that is being painted, or none (null): a skin entry per
-  /// vertex of the body, till the next call. O(what this stroke and the last one reach).
-  const std::vector<VertexSkin>& with(const PlacedWeightStroke* stroke);
+  /// A skin entry per vertex of the body.
+  const std::vector<VertexSkin>& skin() const { return skin_; }
 
  private:
-  void show(const std::vector<uint32_t>& vertices, const std::vector<JointWeights>& weights);
+  struct Covered {
+    uint32_t vertex;
+    JointWeights weights;
+  };
+  void paint(const PlacedWeightStroke& stroke);
+  void goBack(size_t strokes);
+  void beginAgain();
+  void show(uint32_t vertex);
 
   const Character& character_;
   WeightPainter painter_;
   std::vector<PlacedWeightStroke> strokes_;
-  std::vector<JointWeights> staying_, shown_;  // by merged vertex
-  std::vector<uint32_t> on_top_;               // where these differ
-  std::vector<uint32_t> starts_, doubles_;     // of a merged vertex: those of the body
+  std::vector<JointWeights> weights_, last_;  // by merged vertex; last_: before the stroke at hand
+  std::deque<std::vector<Covered>> covered_;  // by the last strokes: what was there before
+  size_t covered_count_ = 0;                  // of all of these
+  std::vector<uint32_t> starts_, doubles_;    // of a merged vertex: those of the body
   std::vector<VertexSkin> skin_;
 };
 

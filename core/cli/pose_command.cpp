@@ -37,7 +37,7 @@ int runPose(const std::vector<std::string>& words) {
   Evaluation evaluation({}, milliseconds);
   evaluation.update(*document);
   if (!isFinite(evaluation)) return refuse(path + ": " + toSentence(Status::meshFailed));
-  CharacterOptions options = characterOptions(*document);
+  CharacterOptions options = characterOptions(*document, evaluation.rig());
   options.weights = pose != nullptr;
   options.blend = arguments->findNumber("--blend").value_or(options.blend);
   const Character made = makeCharacter(evaluation, options, milliseconds);

@@ -115,7 +115,7 @@ int runRig(const std::vector<std::string>& words) {
   Json tree = json ? rigToTree(character) : Json();
   std::vector<std::string> warnings;
   if (glb || gltf || merge || parts) {
-    CharacterOptions options = characterOptions(*document);
+    CharacterOptions options = characterOptions(*document, character.rig());
     options.merged = !parts;
     options.weights = !arguments->has("--no-weights");
     options.blend = arguments->findNumber("--blend").value_or(options.blend);

@@ -10,12 +10,6 @@ JointMotion motionOf(const Pose& pose, const std::string& id) {
   return found == pose.end() ? JointMotion{} : found->second;
 }
 
-/// A rotation seen in the mirror: its axis is mirrored and it turns the other way.
-Quaternion mirroredRotation(const Quaternion& q, const Plane& plane) {
-  const Vec3 axis = mirroredDirection({q.x, q.y, q.z}, plane);
-  return {-axis.x, -axis.y, -axis.z, q.w};
-}
-
 }  // namespace
 
 std::vector<Rigid> posed(const Rig& rig, const Pose& pose) {
@@ -38,36 +32,6 @@ Pose mixed(const Pose& a, const Pose& b, double t) {
   for (const auto& [id, motion] : a) add(id);
   for (const auto& [id, motion] : b) add(id);
   return result;
-}
-
-Pose mirroredPose(const Rig& rig, const Pose& pose, const Plane& plane,
-                  const std::vector<uint32_t>& partner) {
-  Pose result;
-  for (size_t i = 0; i < rig.joints.size(); ++i) {
-    const auto found = pose.find(rig.joints[i].id);
-    if (found == pose.end()) continue;
-    result[rig.joints[partner[i]].id] = {mirroredRotation(found->second.rotation, plane),
-                                         mirroredDirection(found->second.move, plane)};
-  }
-  return result;
-}
-
-std::vector<uint32_t> mirrorPartners(const Rig& rig, const std::vector<PlacedPart>& placed,
-                                     const Plane& plane) {
-  std::vector<uint32_t> partners(rig.joints.size());
-  for (size_t i = 0; i < rig.joints.size(); ++i) {
-    partners[i] = static_cast<uint32_t>(i);
-    const Vec3 wanted = mirrored(rig.joints[i].position, plane);
-    double nearest = rig.joints[i].radius;
-    for (size_t j = 0; j < rig.joints.size(); ++j) {
-      if (placed[rig.joints[j].part].source != placed[rig.joints[i].part].source) continue;
-      const double far = distance(rig.joints[j].position, wanted);
-      if (far > nearest || (far == nearest && partners[i] != i)) continue;
-      nearest = far;
-      partners[i] = static_cast<uint32_t>(j);
-    }
-  }
-  return partners;
 }
 
 Pose turned(const Rig& rig, const Pose& pose, uint32_t joint, const Quaternion& rotation) {

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "document/placed_parts.h"
 #include "document/pose.h"
 #include "rig/rig.h"
 
@@ -15,17 +14,6 @@ std::vector<Rigid> posed(const Rig& rig, const Pose& pose);
 
 /// t = 0: a, t = 1: b; in between each joint on its own.
 Pose mixed(const Pose& a, const Pose& b, double t);
-
-/// The same pose on the other side: what a joint does, the joint at its mirror place does in the
-/// mirror image. partner: for each joint of the rig the one opposite, itself where it is in the
-/// plane or has none.
-Pose mirroredPose(const Rig& rig, const Pose& pose, const Plane& plane,
-                  const std::vector<uint32_t>& partner);
-
-/// For each joint the one opposite: of the same part or its twin, nearest to its mirror place and
-/// no farther from it than the joint's radius; else itself. O(joints²).
-std::vector<uint32_t> mirrorPartners(const Rig& rig, const std::vector<PlacedPart>& placed,
-                                     const Plane& plane);
 
 /// The pose in which a joint has turned in space, about where it is, and all that hangs on it with
 /// it.

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
+
+#include "pose/mirror.h"
 
 namespace marrow {
 namespace {
@@ -11,12 +14,12 @@ namespace {
 using Kind = WeightStroke::Kind;
 using Trail = PlacedWeightStroke::Trail;
 
-constexpr double kStep = 0.25;            // of the radius: between places of a stroke
-constexpr double kMostSteps = 1000;       // of a stroke
-constexpr double kNear = 0.25, kFar = 2;  // × the radius: from a stroke to the surface
-constexpr double kScarce = 0.05;          // of others' weight: less is taken where they hold less
-constexpr double kLeast = 1e-6;           // weights below are not worth an entry
-constexpr double kMostRounds = 40;        // of smoothing
+constexpr double kStep = 0.25;       // of the radius: between places of a stroke
+constexpr double kMostSteps = 1000;  // of a stroke
+constexpr double kOnIt = 1. / 64, kNear = 0.25, kFar = 2;  // × the radius: to the surface
+constexpr double kScarce = 0.05;    // of others' weight: less is taken where they hold less
+constexpr double kLeast = 1e-6;     // weights below are not worth an entry
+constexpr double kMostRounds = 40;  // of smoothing
 constexpr double kSpread = 2. / 9;  // rounds that even out a third of the radius, × (r ÷ edge)²
 constexpr uint32_t kNone = UINT32_MAX;
 
@@ -132,6 +135,30 @@ void take(const std::vector<Dab>& dabs, JointWeights& weights) {
   }
 }
 
+/// Finds what is opposite on a rig, across one plane after the other; most parts share theirs.
+class Opposites {
+ public:
+  Opposites(const Document& document, const Rig& rig) : document_(document), rig_(rig) {}
+
+  const std::string& of(const std::string& joint, const Plane& plane) {
+    if (!plane_ || !(*plane_ == plane)) {
+      plane_ = plane;
+      partners_ = mirrorPartners(rig_, placedParts(document_), plane);
+      found_.clear();
+    }
+    const auto [place, is_new] = found_.emplace(joint, std::string());
+    if (is_new) place->second = oppositeJoint(document_, rig_, partners_, joint);
+    return place->second;
+  }
+
+ private:
+  const Document& document_;
+  const Rig& rig_;
+  std::optional<Plane> plane_;
+  std::vector<uint32_t> partners_;  // across the plane
+  std::map<std::string, std::string> found_;
+};
+
 }  // namespace
 
 bool operator==(const PlacedWeightStroke& a, const PlacedWeightStroke& b) {
@@ -143,8 +170,9 @@ bool operator==(const PlacedWeightStroke& a, const PlacedWeightStroke& b) {
                     });
 }
 
-std::vector<PlacedWeightStroke> placedStrokes(const Document& document) {
+std::vector<PlacedWeightStroke> placedStrokes(const Document& document, const Rig& rig) {
   std::vector<PlacedWeightStroke> placed;
+  Opposites opposites(document, rig);
   for (const auto& stroke : document.weight_strokes) {
     const auto index = document.find(stroke->part);
     if (!index) continue;
@@ -157,13 +185,23 @@ std::vector<PlacedWeightStroke> placedStrokes(const Document& document) {
     }
     one.trails.push_back(trail);
     if (part.mirror) {
-      trail.joint = oppositeJoint(document, stroke->joint);
+      trail.joint = opposites.of(stroke->joint, *part.mirror);
+      // One of a joint that the rig has only on the other side is for the joint opposite to that.
+      one.trails[0].joint = opposites.of(trail.joint, *part.mirror);
       for (Vec3& p : trail.points) p = mirrored(p, *part.mirror);
       one.trails.push_back(std::move(trail));
     }
     placed.push_back(std::move(one));
   }
   return placed;
+}
+
+WeightStroke forJointOfRig(const Document& document, const Rig& rig, WeightStroke in_space) {
+  const auto index = document.find(sourceId(in_space.part));
+  if (!index || !isTwinId(in_space.part) || !document.parts[*index]->mirror) return in_space;
+  const Plane& plane = *document.parts[*index]->mirror;
+  in_space.joint = oppositeJoint(document, Opposites(document, rig).of(in_space.joint, plane));
+  return in_space;
 }
 
 WeightPainter::WeightPainter(const Mesh& surface, const Rig& rig)
@@ -205,7 +243,8 @@ std::vector<Vec3> WeightPainter::drawnToSurface(const Trail& trail,
   const std::vector<Vec3> places = stepsAlong(trail);
   std::vector<Nearest> nearest(places.size(), {0, kNone, {}});
   // Most lie on it: a short look around finds them.
-  for (const double reach : {kNear * trail.radius, kFar * trail.radius}) {
+  for (const double part : {kOnIt, kNear, kFar}) {
+    const double reach = part * trail.radius;
     std::vector<Box3> boxes;
     std::vector<uint32_t> asked;
     for (uint32_t i = 0; i < places.size(); ++i) {
@@ -372,17 +411,23 @@ std::vector<uint32_t> WeightPainter::smooth(const std::vector<Share>& shares, do
   const double in_edges = radius * count / edges;
   const double wanted = std::ceil(kSpread * in_edges * in_edges);
   const int rounds = static_cast<int>(std::min(std::max(wanted, 1.0), kMostRounds));
-  std::vector<double> next(shares.size() * width);
+  std::vector<double> next(shares.size() * width), sums(width);
   for (int round = 0; round < rounds; ++round) {
     for (size_t i = 0; i < shares.size(); ++i) {
       const size_t begin = first_row[i], end = first_row[i + 1];
-      for (size_t k = 0; k < width; ++k) {
-        double mean = 0;
-        for (size_t r = begin; r < end; ++r) mean += table[rows[r] + k];
-        const double here = table[own_rows[i] + k];
-        mean = end > begin ? mean / static_cast<double>(end - begin) : here;
-        next[i * width + k] = here + shares[i].share * (mean - here);
+      if (begin == end) {
+        std::copy_n(table.data() + own_rows[i], width, next.data() + i * width);
+        continue;
       }
+      std::fill(sums.begin(), sums.end(), 0);
+      for (size_t r = begin; r < end; ++r) {
+        const double* row = table.data() + rows[r];
+        for (size_t k = 0; k < width; ++k) sums[k] += row[k];
+      }
+      const double* own = table.data() + own_rows[i];
+      double* into = next.data() + i * width;
+      const double share = shares[i].share, around = static_cast<double>(end - begin);
+      for (size_t k = 0; k < width; ++k) into[k] = own[k] + share * (sums[k] / around - own[k]);
     }
     for (size_t i = 0; i < shares.size(); ++i) {
       std::copy_n(next.begin() + static_cast<std::ptrdiff_t>(i * width), width,

@@ -35,8 +35,13 @@ struct PlacedWeightStroke {
 
 bool operator==(const PlacedWeightStroke& a, const PlacedWeightStroke& b);
 
-/// Of all strokes whose part is there, in the order painted.
-std::vector<PlacedWeightStroke> placedStrokes(const Document& document);
+/// Of all strokes whose part is there, in the order painted. The mirror image is for the joint that
+/// is opposite on the rig (see mirror.h), across the plane of the part's twin.
+std::vector<PlacedWeightStroke> placedStrokes(const Document& document, const Rig& rig);
+
+/// A stroke in space for a joint of the rig, with the id by which strokeOnPart has it: so that one
+/// painted on a twin is for that joint there, and for the opposite one on the part.
+WeightStroke forJointOfRig(const Document& document, const Rig& rig, WeightStroke in_space);
 
 class WeightPainter {
  public:

@@ -159,8 +159,8 @@ TEST_CASE("character: strokes of the document change weights where they were pai
   stroke.points = {{-90, -70, 58}, {-90, -110, 58}};
   const auto painted = apply(document, AddWeightStroke{stroke});
   REQUIRE(painted);
-  const auto options = [](const Document& of, bool merged) {
-    CharacterOptions made = characterOptions(of);
+  const auto options = [&](const Document& of, bool merged) {
+    CharacterOptions made = characterOptions(of, rig);
     made.weighting = quickWeightOptions();
     made.merged = merged;
     return made;
@@ -201,32 +201,31 @@ TEST_CASE("character: strokes of the document change weights where they were pai
                           return a.joints == b.joints && a.weights == b.weights;
                         });
     };
-    const std::vector<PlacedWeightStroke> strokes = placedStrokes(*painted);
+    const std::vector<PlacedWeightStroke> strokes = placedStrokes(*painted, rig);
     PlacedWeightStroke other = strokes[0];
     other.kind = WeightStroke::Kind::smooth;
     other.trails[0].points[1].x += 60;
     Painting painting(before, rig);
-    CHECK(isAs(painting.with(nullptr), before));
-    CHECK(isAs(painting.with(&strokes[0]), after));
-    CHECK_FALSE(isAs(painting.with(&other), after));
-    CHECK(isAs(painting.with(nullptr), before));
-    painting.set(strokes);
-    CHECK(isAs(painting.with(nullptr), after));
-    CHECK_FALSE(isAs(painting.with(&other), after));
-    painting.set({strokes[0], other});
-    CHECK_FALSE(isAs(painting.with(nullptr), after));
-    painting.set(strokes);
-    CHECK(isAs(painting.with(nullptr), after));
-    CHECK(isAs(Painting(after, rig).with(nullptr), before));
-    painting.set({});
-    CHECK(isAs(painting.with(nullptr), before));
+    const auto isPaintedAs = [&](const std::vector<PlacedWeightStroke>& with, const Character& as) {
+      REQUIRE(painting.set(with));
+      return isAs(painting.skin(), as);
+    };
+    CHECK(isAs(painting.skin(), before));
+    CHECK(isPaintedAs(strokes, after));
+    CHECK_FALSE(isPaintedAs({other}, after));
+    CHECK(isPaintedAs({}, before));
+    CHECK(isPaintedAs(strokes, after));
+    CHECK_FALSE(isPaintedAs({strokes[0], other}, after));
+    CHECK(isPaintedAs(strokes, after));
+    CHECK(isAs(Painting(after, rig).skin(), before));
+    CHECK(isPaintedAs({}, before));
   }
 }
 
 TEST_CASE("character: soft seams are the document's, of the merged body alone", "[character]") {
   const Document document = *apply(creature(), SetBlend{25});
   const Evaluation evaluation = evaluated(document);
-  CharacterOptions options = characterOptions(document);
+  CharacterOptions options = characterOptions(document, evaluation.rig());
   options.weights = false;
   const Character soft = makeCharacter(evaluation, options);
   options.blend = 0;

@@ -58,7 +58,7 @@ double apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 TEST_CASE("weight strokes: a stroke lies where it was painted, and its mirror image on the twin",
           "[weight_strokes]") {
   const Document document = must(apply(creature(), AddWeightStroke{onLeg()}));
-  const auto placed = placedStrokes(document);
+  const auto placed = placedStrokes(document, {});
   REQUIRE(placed.size() == 1);
   REQUIRE(placed[0].trails.size() == 2);
   REQUIRE(placed[0].trails[0].joint == "part-2/n1");
@@ -88,7 +88,7 @@ TEST_CASE("weight strokes: they move, turn, scale and stretch with their part",
           "[weight_strokes]") {
   Random random(1);
   const Document before = must(apply(creature(), AddWeightStroke{onLeg()}));
-  const auto was = placedStrokes(before)[0].trails[0];
+  const auto was = placedStrokes(before, {})[0].trails[0];
   for (int run = 0; run < 60; ++run) {
     CAPTURE(run);
     Affine map = randomSimilarity(random, 50);
@@ -97,7 +97,7 @@ TEST_CASE("weight strokes: they move, turn, scale and stretch with their part",
     const bool twin = run % 2 == 1;
     const Document after =
         must(apply(before, TransformParts{{twin ? "part-2:twin" : "part-2"}, map}));
-    const auto is = placedStrokes(after)[0].trails[twin ? 1 : 0];
+    const auto is = placedStrokes(after, {})[0].trails[twin ? 1 : 0];
     const Plane plane = *before.parts[1]->mirror;
     for (size_t i = 0; i < was.points.size(); ++i) {
       const Vec3 from = twin ? mirrored(was.points[i], plane) : was.points[i];
@@ -205,9 +205,9 @@ TEST_CASE("weight strokes: separated twins keep what each of them showed", "[wei
   stroke.part = "part-1";
   stroke.joint = "part-2:twin/n0";
   document = must(apply(document, AddWeightStroke{stroke}));
-  const auto before = placedStrokes(document);
+  const auto before = placedStrokes(document, {});
   document = must(apply(document, SeparateTwins{{"part-2"}}));
-  const auto after = placedStrokes(document);
+  const auto after = placedStrokes(document, {});
   REQUIRE(after.size() == 3);
   REQUIRE(after[0].trails[0].joint == "part-2/n1");
   REQUIRE(after[1].trails[0].joint == "part-3/n1");
@@ -301,4 +301,101 @@ TEST_CASE("weight strokes: the softness of seams is kept within its range", "[we
     REQUIRE(document.blend == kept);
     REQUIRE(readDocument(writeDocument(document))->blend == kept);
   }
+}
+
+namespace {
+
+/// Across x = 0, seen from the front: a body and two arms that hang on it.
+struct Front {
+  Document document;
+  Evaluation evaluation{previewOptions()};
+
+  Front(Vec2 body, Vec3 arm) {
+    document.symmetry = Plane{{1, 0, 0}, 0};
+    for (const bool is_arm : {false, true}) {
+      AddPart part{unitCircle(40)};
+      for (Vec2& p : part.stroke)
+        p = is_arm ? Vec2{70 * p.x, 16 * p.y} : Vec2{body.x * p.x, body.y * p.y};
+      if (is_arm) part.frame.origin = arm;
+      if (is_arm) part.mirror = document.symmetry;
+      document = must(apply(document, part));
+    }
+    evaluation.update(document);
+  }
+  const Rig& rig() const { return evaluation.rig(); }
+  bool has(const std::string& id) const {
+    return std::any_of(rig().joints.begin(), rig().joints.end(),
+                       [&](const Rig::Joint& joint) { return joint.id == id; });
+  }
+  /// The body's joint with bones that is furthest to one side.
+  const Rig::Joint& shoulder(double side) const {
+    uint32_t best = rig().bones.front()[0];
+    for (const auto& bone : rig().bones) {
+      const Rig::Joint& joint = rig().joints[bone[0]];
+      if (joint.part == 0 && joint.position.x * side > rig().joints[best].position.x * side) {
+        best = bone[0];
+      }
+    }
+    return rig().joints[best];
+  }
+  /// For a joint, on the arm or its twin, as the brush leaves it.
+  Document painted(const std::string& part, const std::string& joint) const {
+    WeightStroke stroke;
+    stroke.part = part;
+    stroke.joint = joint;
+    stroke.points = {{part == "part-2" ? 120. : -120., 0, 0}};
+    return must(apply(document, AddWeightStroke{forJointOfRig(document, rig(), stroke)}));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("weight strokes: the mirror image is for the joint on the other side of one body",
+          "[weight_strokes]") {
+  const Front front({150, 40}, {170, 0, 0});
+  const Rig::Joint &left = front.shoulder(1), &right = front.shoulder(-1);
+  REQUIRE(left.position.x > 30);
+  REQUIRE(right.position.x < -30);
+  for (const bool twin : {false, true}) {
+    for (const Rig::Joint* joint : {&left, &right}) {
+      const Document painted = front.painted(twin ? "part-2:twin" : "part-2", joint->id);
+      const auto placed = placedStrokes(painted, front.rig());
+      REQUIRE(placed.size() == 1);
+      REQUIRE(placed[0].trails.size() == 2);
+      const auto& here = placed[0].trails[twin ? 1 : 0];
+      const auto& there = placed[0].trails[twin ? 0 : 1];
+      CHECK(here.points[0].x * (twin ? -1 : 1) > 0);
+      CHECK(here.joint == joint->id);
+      CHECK(there.joint == (joint == &left ? right.id : left.id));
+    }
+  }
+}
+
+TEST_CASE("weight strokes: arms that hang at one joint are both painted for it",
+          "[weight_strokes]") {
+  const Front front({40, 150}, {70, 30, 0});
+  const std::string held = "part-1/a:part-2";
+  REQUIRE(front.has(held));
+  REQUIRE_FALSE(front.has(oppositeJoint(front.document, held)));
+  for (const char* part : {"part-2", "part-2:twin"}) {
+    const auto placed = placedStrokes(front.painted(part, held), front.rig());
+    REQUIRE(placed.size() == 1);
+    REQUIRE(placed[0].trails.size() == 2);
+    for (const auto& trail : placed[0].trails) CHECK(trail.joint == held);
+  }
+  // So are those that were painted when they hung apart.
+  Document before = front.painted("part-2", held);
+  WeightStroke stroke = *before.weight_strokes[0];
+  stroke.joint = oppositeJoint(before, held);
+  before.weight_strokes[0] = std::make_shared<const WeightStroke>(stroke);
+  const auto apart = placedStrokes(before, front.rig());
+  for (const auto& trail : apart[0].trails) CHECK(trail.joint == held);
+  // Joints of the arms are those of the own arm each.
+  const auto end = std::find_if(front.rig().bones.begin(), front.rig().bones.end(),
+                                [&](auto& bone) { return front.rig().joints[bone[0]].part == 1; });
+  REQUIRE(end != front.rig().bones.end());
+  const std::string id = front.rig().joints[(*end)[0]].id;
+  const auto placed = placedStrokes(front.painted("part-2", id), front.rig());
+  CHECK(placed[0].trails[0].joint == id);
+  CHECK(placed[0].trails[1].joint == oppositeJoint(front.document, id));
 }

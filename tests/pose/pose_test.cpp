@@ -100,63 +100,6 @@ TEST_CASE("pose: mixed poses go from one to the other", "[pose]") {
   CHECK(same(mixed(a, b, 0.25), mixed(b, a, 0.75)));
 }
 
-TEST_CASE("pose: seen in the mirror, a mirrored pose is the pose", "[pose]") {
-  Random random(6);
-  for (int run = 0; run < 20; ++run) {
-    const Plane plane = randomPlane(random, {});
-    const Rig one = randomRig(random, 12);
-    const auto n = static_cast<uint32_t>(one.joints.size());
-    // The rig and its mirror image, which hang on nothing.
-    Rig both = one;
-    std::vector<uint32_t> partner;
-    for (uint32_t i = 0; i < n; ++i) {
-      Rig::Joint image = one.joints[i];
-      image.id += "'";
-      image.position = mirrored(image.position, plane);
-      if (image.parent >= 0) image.parent += static_cast<int32_t>(n);
-      both.joints.push_back(image);
-    }
-    for (uint32_t i = 0; i < 2 * n; ++i) partner.push_back((i + n) % (2 * n));
-    const Pose pose = randomPose(random, one);
-    const std::vector<Rigid> left = posed(both, pose);
-    const std::vector<Rigid> right = posed(both, mirroredPose(both, pose, plane, partner));
-    for (uint32_t i = 0; i < n; ++i) {
-      const Vec3 p{random.between(-5, 5), random.between(-5, 5), random.between(-5, 5)};
-      CHECK(near(right[i + n](mirrored(p, plane)), mirrored(left[i](p), plane)));
-    }
-  }
-}
-
-TEST_CASE("pose: a joint's partner is the one at its mirror place, of the same part", "[pose]") {
-  Random random(8);
-  for (int run = 0; run < 20; ++run) {
-    const Plane plane = randomPlane(random, {});
-    Rig rig = randomRig(random, 12);
-    const auto n = static_cast<uint32_t>(rig.joints.size());
-    for (uint32_t i = 0; i < n; ++i) {
-      rig.joints[i].radius = 0.01;
-      Rig::Joint image = rig.joints[i];
-      image.position = mirrored(image.position, plane);
-      image.part = 1;
-      rig.joints.push_back(image);
-    }
-    for (uint32_t i = 0; i < n; ++i) rig.joints[i].part = 0;
-    Rig::Joint alone = rig.joints[0];  // another part's, in the same place
-    alone.part = 2;
-    rig.joints.push_back(alone);
-    const std::vector<PlacedPart> placed{
-        {"part-1", 0, false, {}}, {"part-1:twin", 0, true, {}}, {"part-2", 1, false, {}}};
-    const std::vector<uint32_t> partners = mirrorPartners(rig, placed, plane);
-    REQUIRE(partners.size() == rig.joints.size());
-    for (uint32_t i = 0; i < 2 * n; ++i) {
-      const Vec3 wanted = mirrored(rig.joints[i].position, plane);
-      CHECK(distance(rig.joints[partners[i]].position, wanted) < 0.01);
-      CHECK(rig.joints[partners[i]].part < 2);
-    }
-    CHECK(partners.back() == 2 * n);
-  }
-}
-
 TEST_CASE("pose: a joint turns in space, about where it is", "[pose]") {
   Random random(9);
   for (int run = 0; run < 50; ++run) {

@@ -5,12 +5,12 @@
 #include "figure/figure_keeper.h"
 #include "figure/workshop.h"
 #include "io/document_json.h"
-#include "io/mesh_import.h"
 #include "pose/rigs.h"
 #include "solid/solids.h"
 #include "support/catch.h"
 #include "support/creatures.h"
 #include "support/samples.h"
+#include "weights/bodies.h"
 
 namespace marrow {
 namespace {
@@ -136,27 +136,125 @@ TEST_CASE("workshop: other strokes need no new weights, and give what all anew w
   CHECK(glb->bytes.substr(0, 4) == "glTF");
 }
 
-TEST_CASE("workshop: an imported part makes no work anew, nor does a file after the figure") {
-  Document document = sample("dog");
-  const std::string obj =
-      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
-  Mesh mesh = *importMesh(obj, MeshFormat::obj);
-  for (Vec3& p : mesh.positions) p = p * 200;
-  auto next = apply(document, ImportPart{std::make_shared<const Mesh>(mesh), "Hat"});
-  REQUIRE(next);
+TEST_CASE("workshop: while a stroke is painted the others are not painted again") {
+  Workshop workshop;
+  std::string last;
+  size_t steps = 0, most_steps = SIZE_MAX;
+  WorkTeller teller;
+  teller.made = [&](const std::string& bytes) { last = bytes; };
+  teller.progress = [&](double) { return ++steps < most_steps; };
+  Document fish = sample("fish");
+  Evaluation evaluation;
+  evaluation.update(fish);
+  const auto& joints = evaluation.rig().joints;
+  WeightStroke stroke;
+  stroke.radius = 30;
+  const auto addStroke = [&](const Document& document, size_t i) {
+    const Rig::Joint& joint = joints[i % joints.size()];
+    stroke.part = evaluation.placed()[joint.part].id;
+    stroke.joint = joint.id;
+    stroke.points = {joint.position, joint.position + Vec3{2. * static_cast<double>(i), 0, 0}};
+    auto next = apply(document, AddWeightStroke{stroke});
+    REQUIRE(next);
+    return *next;
+  };
+  REQUIRE(workshop.work(figureRequest(fish), teller, noTime));
+  const std::string plain = last;
+  Document painted = fish;
+  for (size_t i = 0; i < 10; ++i) painted = addStroke(painted, i);
+  steps = 0;
+  REQUIRE(workshop.work(figureRequest(painted), teller, noTime));
+  CHECK(steps == 9);
+  for (size_t i = 0; i < 4; ++i) {
+    steps = 0;
+    REQUIRE(workshop.work(figureRequest(addStroke(painted, i)), teller, noTime));
+    CHECK(steps == 0);
+  }
+  const Document other = addStroke(fish, 9);
+  // Told to stop it does, and keeps the weights.
+  steps = 0, most_steps = 1, last.clear();
+  Document more = other;
+  for (size_t i = 0; i < 10; ++i) more = addStroke(more, i);
+  CHECK_FALSE(workshop.work(figureRequest(more), teller, noTime));
+  CHECK(last.empty());
+  CHECK(steps == 1);
+  steps = 0, most_steps = SIZE_MAX;
+  REQUIRE(workshop.work(figureRequest(fish), teller, noTime));
+  CHECK(steps == 0);
+  CHECK(last == plain);
+}
+
+TEST_CASE("workshop: told to stop while the guess is painted, it makes nothing") {
+  Document fish = sample("fish");
+  Evaluation evaluation;
+  evaluation.update(fish);
+  const Rig::Joint& joint = evaluation.rig().joints[1];
+  WeightStroke stroke;
+  stroke.part = evaluation.placed()[joint.part].id;
+  stroke.joint = joint.id;
+  stroke.radius = 30;
+  stroke.points = {joint.position};
+  for (int i = 0; i < 3; ++i) fish = *apply(fish, AddWeightStroke{stroke});
+  size_t made = 0, steps = 0;
+  WorkTeller teller;
+  teller.made = [&](const std::string&) { ++made; };
+  teller.progress = [&](double) { return ++steps < 2; };
+  CHECK_FALSE(Workshop().work(figureRequest(fish), teller, noTime));
+  CHECK(made == 0);
+  CHECK(steps == 2);
+  // So does a file of parts, behind the weights.
+  FileOptions file;
+  file.parts = true;
+  size_t at_end = 0;
+  teller.progress = [&](double done) { return done < 1 || ++at_end < 3; };
+  CHECK_FALSE(Workshop().work(fileRequest(fish, file), teller, noTime));
+  CHECK(at_end == 3);
+  CHECK(made == 0);
+}
+
+TEST_CASE("workshop: strokes on a body that was imported need no new weights") {
   Workshop workshop;
   size_t steps = 0;
   WorkTeller teller;
   teller.made = [](const std::string&) {};
-  teller.progress = [&](double) {
-    ++steps;
-    return true;
-  };
-  REQUIRE(workshop.work(figureRequest(*next), teller, noTime));
-  CHECK(steps > 3);
+  teller.progress = [&](double) { return ++steps > 0; };
+  const auto limb = std::make_shared<const Mesh>(
+      inSinglePrecision(tube(straight({0, 0, 0}, {240, 0, 0}, 24), 15)));
+  auto document = apply({}, ImportPart{limb, "Limb", {}});
+  REQUIRE(document);
+  REQUIRE(workshop.work(figureRequest(*document), teller, noTime));
+  CHECK(steps > 0);
+  Evaluation evaluation;
+  evaluation.update(*document);
+  const Rig::Joint& joint = evaluation.rig().joints[0];
+  WeightStroke stroke;
+  stroke.part = evaluation.placed()[joint.part].id;
+  stroke.joint = joint.id;
+  stroke.radius = 30;
+  stroke.points = {joint.position};
+  document = apply(*document, AddWeightStroke{stroke});
+  REQUIRE(document);
   steps = 0;
-  REQUIRE(workshop.work(fileRequest(*next, {}), teller, noTime));
+  REQUIRE(workshop.work(figureRequest(*document), teller, noTime));
   CHECK(steps == 0);
+}
+
+TEST_CASE("workshop: pictures go along only with what holds the whole drawing") {
+  Document dog = sample("dog");
+  Reference reference;
+  reference.image =
+      std::make_shared<const std::string>("data:image/png;base64," + std::string(100'000, 'A'));
+  const std::string without = figureRequest(dog);
+  FileOptions file;
+  file.format = FileOptions::Format::obj;
+  const std::string file_without = fileRequest(dog, file);
+  dog.references.push_back(std::make_shared<const Reference>(reference));
+  CHECK(figureRequest(dog) == without);
+  CHECK(fileRequest(dog, file) == file_without);
+  file.format = FileOptions::Format::glb;
+  CHECK(fileRequest(dog, file).size() > 100'000);
+  dog.poses.push_back(std::make_shared<const NamedPose>(NamedPose{"Sit", {{"a", {}}}}));
+  CHECK(figureRequest(dog) == without);
 }
 
 TEST_CASE("workshop: where every part is left out no file is made, and the reason is said") {

@@ -92,10 +92,17 @@ uint64_t strokesKey(const Document& document) {
   return key;
 }
 
-std::string figureRequest(const Document& document) { return "{}\n" + writeDocument(document); }
+std::string figureRequest(const Document& document) {
+  Document needed = document;
+  needed.references.clear();
+  needed.poses.clear();
+  return "{}\n" + writeDocument(needed);
+}
 
 std::string fileRequest(const Document& document, const FileOptions& options) {
-  return toText(Json{{"file", toJson(options)}}) + "\n" + writeDocument(document);
+  Document needed = document;
+  if (!options.hasBones()) needed.references.clear();  // the others hold the whole drawing
+  return toText(Json{{"file", toJson(options)}}) + "\n" + writeDocument(needed);
 }
 
 std::string toBytes(const MadeFile& file) {
@@ -133,26 +140,41 @@ Result<bool> Workshop::work(const std::string& request, const WorkTeller& tell, 
 
 bool Workshop::makeBody(const Document& document, const CharacterWatch& watch, Clock clock) {
   const uint64_t key = bodyKey(document, evaluation_);
-  const CharacterOptions options = characterOptions(document);
-  if (key != 0 && key == made_of_) {
-    body_.paints = paintsOf(evaluation_);
-    if (body_.unpainted.empty()) return true;
-    if (!painting_) painting_ = std::make_unique<Painting>(body_, evaluation_.rig());
-    painting_->set(options.strokes);
-    body_.meshes.front().skin = painting_->with(nullptr);
-    return true;
+  CharacterOptions options = characterOptions(document, evaluation_.rig());
+  const std::vector<PlacedWeightStroke> strokes = std::move(options.strokes);
+  options.strokes.clear();
+  const bool is_new = key == 0 || key != made_of_;
+  if (is_new) {
+    made_of_ = 0;
+    painting_.reset();
+    bool stopped = false;
+    CharacterWatch own;
+    own.progress = [&](double done) {
+      stopped = stopped || !watch.progress(done);
+      return !stopped;
+    };
+    if (watch.first_guess) {
+      own.first_guess = [&](const Character& guess) {
+        if (strokes.empty()) return watch.first_guess(guess);
+        Painting painting(guess, evaluation_.rig());
+        stopped = !painting.set(strokes, [&](double) { return watch.progress(0); });
+        if (stopped) return;
+        Character painted = guess;
+        if (!guess.unpainted.empty()) painted.meshes.front().skin = painting.skin();
+        watch.first_guess(painted);
+      };
+    }
+    body_ = makeCharacter(evaluation_, options, clock, own);
+    if (stopped) return false;
+    made_of_ = key;
   }
-  made_of_ = 0;
-  painting_.reset();
-  bool stopped = false;
-  CharacterWatch own = watch;
-  own.progress = [&](double done) {
-    stopped = !watch.progress(done);
-    return !stopped;
-  };
-  body_ = makeCharacter(evaluation_, options, clock, own);
-  if (!stopped) made_of_ = key;
-  return !stopped;
+  body_.paints = paintsOf(evaluation_);
+  if (body_.unpainted.empty() || (strokes.empty() && !painting_)) return true;
+  if (!painting_) painting_ = std::make_unique<Painting>(body_, evaluation_.rig());
+  const bool whole =
+      painting_->set(strokes, [&](double done) { return watch.progress(is_new ? 1 : done); });
+  body_.meshes.front().skin = painting_->skin();
+  return whole;
 }
 
 Result<bool> Workshop::makeFigure(const Document& document, const WorkTeller& tell, Clock clock) {
@@ -185,7 +207,7 @@ Result<bool> Workshop::makeFile(const Document& document, const FileOptions& opt
   Character own;  // what is no merged body with weights is made for this file alone
   const bool is_own = (is_gltf && options.parts) || !needs_weights;
   if (is_own) {
-    CharacterOptions how = characterOptions(document);
+    CharacterOptions how = characterOptions(document, evaluation_.rig());
     how.merged = !(is_gltf && options.parts);
     how.weights = needs_weights;
     own = makeCharacter(evaluation_, how, clock, watch);

@@ -21,7 +21,7 @@ struct WorkTeller {
   std::function<bool(double done)> progress;
 };
 
-/// Asks for the Figure of a document.
+/// Asks for the Figure of a document; without what it shows nothing of: pictures and poses.
 std::string figureRequest(const Document& document);
 /// Asks for a MadeFile.
 std::string fileRequest(const Document& document, const FileOptions& options);

@@ -9,6 +9,7 @@
 #include "icons.h"
 #include "panels/layout.h"
 #include "panels/panel.h"
+#include "pose/mirror.h"
 
 namespace marrow {
 namespace {
@@ -221,8 +222,7 @@ class PosePanel {
 
   void mirror() {
     const auto plane = symmetryPlane(input_.shown);
-    const auto partners = mirrorPartners(input_.stance.rest, input_.evaluation.placed(), *plane);
-    const Pose mirrored = mirroredPose(input_.stance.rest, current_->joints, *plane, partners);
+    const Pose mirrored = mirroredPose(input_.shown, input_.stance.rest, current_->joints, *plane);
     ask(SetPose{current_->name, withoutResting(mirrored)});
   }
 

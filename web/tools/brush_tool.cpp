@@ -55,7 +55,8 @@ std::string SeenFigure::partOf(size_t triangle) const {
   return {};
 }
 
-bool BrushTool::begin(SeenFigure seen, const Brush& brush, Vec2 pixel) {
+bool BrushTool::begin(SeenFigure seen, const Brush& brush, Vec2 pixel, const Document& document,
+                      const Rig& rig) {
   seen_ = std::move(seen);
   stroke_ = {};
   stroke_.kind = brush.kind;
@@ -67,6 +68,7 @@ bool BrushTool::begin(SeenFigure seen, const Brush& brush, Vec2 pixel) {
   if (!hit) return false;
   stroke_.part = seen_.partOf(hit->triangle);
   stroke_.points.push_back(hit->at_rest);
+  stroke_ = forJointOfRig(document, rig, std::move(stroke_));
   return true;
 }
 

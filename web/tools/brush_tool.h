@@ -46,7 +46,8 @@ class BrushTool {
     double strength = 1;
   };
   /// Whether there is something to paint on under the pixel.
-  bool begin(SeenFigure seen, const Brush& brush, Vec2 pixel);
+  bool begin(SeenFigure seen, const Brush& brush, Vec2 pixel, const Document& document,
+             const Rig& rig);
   /// The pointer goes on from where it was; between, there is paint as well.
   void move(Vec2 pixel);
   void end() { seen_ = {}; }

@@ -222,7 +222,7 @@ bool Hand::beginBrush(const UiState& ui, const World& world) {
   brush.strength = ui.posing.brush_strength;
   const auto motions = motionsOf(*world.figure, stance.rest, posed(stance.rest, stance.pose));
   return brush_.begin({world.figure, motions, ui.posing.skinning, ui.camera, ui.size}, brush,
-                      from_px_);
+                      from_px_, world.document, stance.rest);
 }
 
 bool Hand::beginByKey(TransformKind kind, Vec2 pointer_px, UiState& ui, const World& world) {
