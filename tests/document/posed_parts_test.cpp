@@ -46,12 +46,12 @@ std::map<std::string, Vec3> places(const Document& document, const Rig& rig) {
 /// Whether the rigs have the same joints, each below the same one.
 bool areAlike(const Rig& a, const Rig& b) {
   const auto parents = [](const Rig& rig) {
-    std::map<std::string, std::string> parents;
+    std::map<std::string, std::string> above;
     for (const auto& joint : rig.joints) {
-      const auto above = static_cast<size_t>(joint.parent);
-      parents[joint.id] = joint.parent < 0 ? "" : rig.joints[above].id;
+      const auto parent = static_cast<size_t>(joint.parent);
+      above[joint.id] = joint.parent < 0 ? "" : rig.joints[parent].id;
     }
-    return parents;
+    return above;
   };
   return parents(a) == parents(b);
 }

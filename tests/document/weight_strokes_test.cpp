@@ -118,7 +118,7 @@ TEST_CASE("weight strokes: a part that is mirrored across its own plane has them
   REQUIRE(after.parts == before.parts);
   std::vector<Vec3> mirrored_points;
   for (const Vec3 p : stroke.points) mirrored_points.push_back(mirror(p));
-  REQUIRE(apart(placedStrokes(after)[0].trails[0].points, mirrored_points) < 1e-9);
+  REQUIRE(apart(placedStrokes(after, {})[0].trails[0].points, mirrored_points) < 1e-9);
 }
 
 TEST_CASE("weight strokes: they stay on the surface of what becomes thicker or thinner",
@@ -148,7 +148,7 @@ TEST_CASE("weight strokes: they stay on the surface of what becomes thicker or t
     document = must(apply(document, AddWeightStroke{stroke}));
     const auto isOnSurface = [&](const Document& changed) {
       evaluation.update(changed);
-      const auto trails = placedStrokes(changed)[0].trails;
+      const auto trails = placedStrokes(changed, {})[0].trails;
       const Plane plane = *changed.parts[1]->mirror;
       for (size_t k = 0; k < 20; ++k) {
         CAPTURE(k);
