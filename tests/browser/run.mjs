@@ -1,6 +1,6 @@
 // node tests/browser/run.mjs [SPEC.mjs…]: runs browser specs, all of them without an argument, in
 // headless Chromium against build/web. ONLY: a part of the names of the tests to run. SITE: the
-// folder of another build.
+// folder of another build. SMOOTH: with smooth edges, to look at the screenshots.
 import {existsSync, readdirSync} from 'node:fs';
 import {basename, join, resolve} from 'node:path';
 import {pathToFileURL} from 'node:url';
@@ -8,6 +8,15 @@ import {pathToFileURL} from 'node:url';
 import {serve} from '../../scripts/serve.mjs';
 import {launch} from './chromium.mjs';
 import {App, registered, root} from './harness.mjs';
+
+/// Smooth edges cost software rendering most of its time, and are of use to the eye alone.
+function withoutSmoothing() {
+  const {getContext} = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function(kind, options) {
+    const plain = kind === 'webgl2' ? {...options, antialias: false} : options;
+    return getContext.call(this, kind, plain);
+  };
+}
 
 async function runTest(browser, address, label, {options, run}) {
   const {width = 1280, height = 800, scale = 1, touch = false} = options;
@@ -18,6 +27,7 @@ async function runTest(browser, address, label, {options, run}) {
   try {
     const page = await context.newPage();
     const app = new App(page, await context.newCDPSession(page), address, label);
+    if (!process.env.SMOOTH && !options.smooth) await page.addInitScript(withoutSmoothing);
     if (options.init) await page.addInitScript(options.init);
     if (options.prepare) await options.prepare(app);
     const late = new Promise((_, fail) => {

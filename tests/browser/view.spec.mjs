@@ -19,7 +19,7 @@ async function span(app) {
           count};
 }
 
-test('keys and buttons turn to the front, the right and the top', async (app) => {
+test('keys and buttons turn to the front, the right and the top', {smooth: true}, async (app) => {
   await app.draw(bar);
   await app.key('Escape');
   const front = await span(app);
@@ -180,7 +180,7 @@ test('a narrow screen has room for drawing and targets for fingers', {
   assert.equal(await app.page.evaluate(() => marrow.document().parts[0].thickness), 1);
 });
 
-test('a lost WebGL context comes back with everything in it', async (app) => {
+test('a lost WebGL context comes back with everything in it', {smooth: true}, async (app) => {
   await app.draw(ring(500, 400, 120));
   await app.draw(bar.map(([x, y]) => [x, y + 220]));
   await app.page.mouse.move(620, 20);
