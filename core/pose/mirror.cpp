@@ -209,14 +209,20 @@ OppositeJoints::OppositeJoints(const Document& document, const Rig& rig)
 std::string OppositeJoints::of(const std::string& joint, const Plane& plane) {
   const std::string opposite = oppositeJoint(document_, joint);
   const auto own = joints_.find(joint);
-  if (own == joints_.end() || (opposite != joint && joints_.count(opposite) > 0)) return opposite;
+  if (own == joints_.end() || hasOppositeId(joint)) return opposite;
   if (!plane_ || !(*plane_ == plane)) {
     partners_ = mirrorPartners(rig_, placedParts(document_), plane);
     plane_ = plane;
   }
   const uint32_t partner = partners_[own->second];
-  const bool mutual = partner != kNoPartner && partners_[partner] == own->second;
-  return mutual ? rig_.joints[partner].id : joint;
+  if (partner == kNoPartner || partners_[partner] != own->second) return joint;
+  const std::string& other = rig_.joints[partner].id;
+  return hasOppositeId(other) ? joint : other;
+}
+
+bool OppositeJoints::hasOppositeId(const std::string& joint) const {
+  const std::string opposite = oppositeJoint(document_, joint);
+  return opposite != joint && joints_.count(opposite) > 0;
 }
 
 Pose mirroredPose(const Document& document, const Rig& rig, const Pose& pose, const Plane& plane) {

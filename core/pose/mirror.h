@@ -32,12 +32,14 @@ class OppositeJoints {
   OppositeJoints(const Document& document, const Rig& rig);
 
   /// With the opposite parts in its id where the rig has such a joint; else its partner across the
-  /// plane where that is mutual (several limbs may hang at one joint, and a body drawn as one shape
-  /// has no opposite parts); else itself. Twice, it is the joint again. Of an id that the rig does
-  /// not have: the one with the opposite parts.
+  /// plane where that is mutual and has no such joint itself (several limbs may hang at one joint,
+  /// and a body drawn as one shape has no opposite parts); else itself. Twice, it is the joint
+  /// again. Of an id that the rig does not have: the one with the opposite parts.
   std::string of(const std::string& joint, const Plane& plane);
 
  private:
+  bool hasOppositeId(const std::string& joint) const;
+
   const Document& document_;
   const Rig& rig_;
   std::map<std::string, uint32_t> joints_;
