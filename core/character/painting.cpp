@@ -8,7 +8,7 @@
 namespace marrow {
 namespace {
 
-constexpr size_t kMostCovered = 8;  // × the vertices: what is kept of what was painted over
+constexpr size_t kMostCovered = 4;  // × the vertices: what is kept of what was painted over
 
 }  // namespace
 

@@ -38,11 +38,10 @@ class Partners {
       : rig_(rig),
         placed_(placed),
         plane_(plane),
-        first_child_(rig.joints.size(), kNoPartner),
+        children_(rig.joints.size()),
         opposite_(rig.joints.size(), kNoPartner) {
-    for (const auto& [parent, child] : rig.bones) {
-      if (first_child_[parent] == kNoPartner) first_child_[parent] = child;
-    }
+    for (const auto& [parent, child] : rig.bones) children_[parent].push_back(child);
+    for (uint32_t i = 0; i < rig.joints.size(); ++i) joints_[sourceOf(i)].push_back(i);
   }
 
   std::vector<uint32_t> find() {
@@ -60,8 +59,7 @@ class Partners {
       decided[joint] = !same_way;
     }
     for (uint32_t i = 0; i < partners.size(); ++i) {
-      const uint32_t child = first_child_[i];
-      if (child != kNoPartner && !goesWith(i, partners[i])) partners[i] = nearestTo(i, child);
+      if (!children_[i].empty() && !goesWith(i, partners[i])) partners[i] = nearestTo(i);
     }
     return partners;
   }
@@ -79,30 +77,28 @@ class Partners {
   bool goesWith(uint32_t joint, uint32_t partner) const {
     if (partner == kNoPartner) return false;
     const uint32_t here = opposite_[joint];
-    for (const auto& [parent, child] : rig_.bones) {
-      if (parent != joint || opposite_[child] == kNoPartner) continue;
-      if (partner == here ? isParent(here, opposite_[child]) : partner == opposite_[child]) {
-        return true;
-      }
-    }
-    return false;
+    return std::any_of(children_[joint].begin(), children_[joint].end(), [&](uint32_t child) {
+      const uint32_t there = opposite_[child];
+      if (there == kNoPartner) return false;
+      return partner == here ? isParent(here, there) : partner == there;
+    });
   }
 
   /// Joints at each other's mirror places; ends with ends.
   void findOpposite() {
-    std::vector<uint32_t> degree(rig_.joints.size(), 0);
-    for (const auto& [parent, child] : rig_.bones) {
-      ++degree[parent];
-      ++degree[child];
-    }
+    const auto isEnd = [&](uint32_t joint) {
+      return children_[joint].size() + (rig_.joints[joint].parent < 0 ? 0 : 1) < 2;
+    };
     std::vector<Pair> pairs;
-    for (uint32_t a = 0; a < rig_.joints.size(); ++a) {
-      const Vec3 image = mirrored(rig_.joints[a].position, plane_);
-      for (uint32_t b = a; b < rig_.joints.size(); ++b) {
-        if (sourceOf(a) != sourceOf(b) || (degree[a] > 1) != (degree[b] > 1)) continue;
-        const double apart = distance(image, rig_.joints[b].position);
-        if (apart <= std::max(rig_.joints[a].radius, rig_.joints[b].radius)) {
-          pairs.push_back({apart, a, b});
+    for (const auto& [source, joints] : joints_) {
+      for (auto a = joints.begin(); a != joints.end(); ++a) {
+        const Vec3 image = mirrored(rig_.joints[*a].position, plane_);
+        for (auto b = a; b != joints.end(); ++b) {
+          if (isEnd(*a) != isEnd(*b)) continue;
+          const double apart = distance(image, rig_.joints[*b].position);
+          if (apart <= std::max(rig_.joints[*a].radius, rig_.joints[*b].radius)) {
+            pairs.push_back({apart, *a, *b});
+          }
         }
       }
     }
@@ -117,20 +113,22 @@ class Partners {
     }
   }
 
-  /// The one whose bone passes by the mirror place of the middle of a bone.
-  uint32_t nearestTo(uint32_t joint, uint32_t child) const {
+  /// The one whose bone passes by the mirror place of the middle of its own.
+  uint32_t nearestTo(uint32_t joint) const {
     const Rig::Joint& own = rig_.joints[joint];
-    const Vec3 place = mirrored(lerp(own.position, rig_.joints[child].position, 0.5), plane_);
+    const Vec3 end = rig_.joints[children_[joint].front()].position;
+    const Vec3 place = mirrored(lerp(own.position, end, 0.5), plane_);
     uint32_t best = kNoPartner;
     double nearest = 0;
-    for (const auto& [a, b] : rig_.bones) {
-      if (sourceOf(a) != sourceOf(joint)) continue;
-      const Rig::Joint &from = rig_.joints[a], &to = rig_.joints[b];
-      const double away = distance(nearestOnBone(from.position, to.position, place), place);
-      const double reach = std::max(own.radius, std::max(from.radius, to.radius));
-      if (away > reach || (best != kNoPartner && away >= nearest)) continue;
-      nearest = away;
-      best = a;
+    for (const uint32_t a : joints_.at(sourceOf(joint))) {
+      for (const uint32_t b : children_[a]) {
+        const Rig::Joint &from = rig_.joints[a], &to = rig_.joints[b];
+        const double away = distance(nearestOnBone(from.position, to.position, place), place);
+        const double reach = std::max(own.radius, std::max(from.radius, to.radius));
+        if (away > reach || (best != kNoPartner && away >= nearest)) continue;
+        nearest = away;
+        best = a;
+      }
     }
     return best;
   }
@@ -138,7 +136,8 @@ class Partners {
   const Rig& rig_;
   const std::vector<PlacedPart>& placed_;
   const Plane& plane_;
-  std::vector<uint32_t> first_child_;
+  std::vector<std::vector<uint32_t>> children_;
+  std::map<size_t, std::vector<uint32_t>> joints_;  // by their part's source
   std::vector<uint32_t> opposite_;
 };
 
@@ -202,19 +201,28 @@ std::vector<uint32_t> mirrorPartners(const Rig& rig, const std::vector<PlacedPar
   return Partners(rig, placed, plane).find();
 }
 
-std::string oppositeJoint(const Document& document, const Rig& rig,
-                          const std::vector<uint32_t>& partners, const std::string& joint) {
-  const auto find = [&](const std::string& id) {
-    const auto found = std::find_if(rig.joints.begin(), rig.joints.end(),
-                                    [&](const Rig::Joint& one) { return one.id == id; });
-    return static_cast<uint32_t>(found - rig.joints.begin());
-  };
-  const uint32_t none = static_cast<uint32_t>(rig.joints.size());
-  const std::string opposite = oppositeJoint(document, joint);
-  const uint32_t own = find(joint);
-  if (own == none || (opposite != joint && find(opposite) != none)) return opposite;
-  const uint32_t partner = partners[own];
-  return partner != kNoPartner && partners[partner] == own ? rig.joints[partner].id : joint;
+OppositeJoints::OppositeJoints(const Document& document, const Rig& rig)
+    : document_(document), rig_(rig) {
+  for (uint32_t i = 0; i < rig.joints.size(); ++i) joints_.emplace(rig.joints[i].id, i);
+}
+
+std::string OppositeJoints::of(const std::string& joint, const Plane& plane) {
+  const std::string opposite = oppositeJoint(document_, joint);
+  const auto own = joints_.find(joint);
+  if (own == joints_.end() || hasOppositeId(joint)) return opposite;
+  if (!plane_ || !(*plane_ == plane)) {
+    partners_ = mirrorPartners(rig_, placedParts(document_), plane);
+    plane_ = plane;
+  }
+  const uint32_t partner = partners_[own->second];
+  if (partner == kNoPartner || partners_[partner] != own->second) return joint;
+  const std::string& other = rig_.joints[partner].id;
+  return hasOppositeId(other) ? joint : other;
+}
+
+bool OppositeJoints::hasOppositeId(const std::string& joint) const {
+  const std::string opposite = oppositeJoint(document_, joint);
+  return opposite != joint && joints_.count(opposite) > 0;
 }
 
 Pose mirroredPose(const Document& document, const Rig& rig, const Pose& pose, const Plane& plane) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,16 +21,31 @@ constexpr uint32_t kNoPartner = UINT32_MAX;
 /// radii; one that near to its own is its own. A bone whose ends are matched goes with the one
 /// between their matches, whichever way that runs; any other joint with the one whose bone is
 /// nearest to the mirror place of the middle of its own, which need not go with it in turn; or none
-/// (kNoPartner) where no bone of the part passes by there. O(joints²).
+/// (kNoPartner) where no bone of the part passes by there. O(joints² of a part).
 std::vector<uint32_t> mirrorPartners(const Rig& rig, const std::vector<PlacedPart>& placed,
                                      const Plane& plane);
 
-/// The joint at the mirror place, by ids: with the opposite parts in its id where the rig has such
-/// a joint; else its partner where that is mutual (several limbs may hang at one joint, and a body
-/// drawn as one shape has no opposite parts); else itself. Twice, it is the joint again. partners:
-/// of the rig. An id that the rig does not have is looked up by the opposite parts.
-std::string oppositeJoint(const Document& document, const Rig& rig,
-                          const std::vector<uint32_t>& partners, const std::string& joint);
+/// Joints at mirror places, by ids.
+class OppositeJoints {
+ public:
+  /// Document and rig must outlive this.
+  OppositeJoints(const Document& document, const Rig& rig);
+
+  /// With the opposite parts in its id where the rig has such a joint; else its partner across the
+  /// plane where that is mutual and has no such joint itself (several limbs may hang at one joint,
+  /// and a body drawn as one shape has no opposite parts); else itself. Twice, it is the joint
+  /// again. Of an id that the rig does not have: the one with the opposite parts.
+  std::string of(const std::string& joint, const Plane& plane);
+
+ private:
+  bool hasOppositeId(const std::string& joint) const;
+
+  const Document& document_;
+  const Rig& rig_;
+  std::map<std::string, uint32_t> joints_;
+  std::optional<Plane> plane_;  // asked last
+  std::vector<uint32_t> partners_;
+};
 
 /// The same pose on the other side: each joint does what its partner does, in the mirror image;
 /// turned as far in space as that where they hang on different joints, so that of limbs with

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "pose/mirror.h"
@@ -135,30 +134,6 @@ void take(const std::vector<Dab>& dabs, JointWeights& weights) {
   }
 }
 
-/// Finds what is opposite on a rig, across one plane after the other; most parts share theirs.
-class Opposites {
- public:
-  Opposites(const Document& document, const Rig& rig) : document_(document), rig_(rig) {}
-
-  const std::string& of(const std::string& joint, const Plane& plane) {
-    if (!plane_ || !(*plane_ == plane)) {
-      plane_ = plane;
-      partners_ = mirrorPartners(rig_, placedParts(document_), plane);
-      found_.clear();
-    }
-    const auto [place, is_new] = found_.emplace(joint, std::string());
-    if (is_new) place->second = oppositeJoint(document_, rig_, partners_, joint);
-    return place->second;
-  }
-
- private:
-  const Document& document_;
-  const Rig& rig_;
-  std::optional<Plane> plane_;
-  std::vector<uint32_t> partners_;  // across the plane
-  std::map<std::string, std::string> found_;
-};
-
 }  // namespace
 
 bool operator==(const PlacedWeightStroke& a, const PlacedWeightStroke& b) {
@@ -172,7 +147,7 @@ bool operator==(const PlacedWeightStroke& a, const PlacedWeightStroke& b) {
 
 std::vector<PlacedWeightStroke> placedStrokes(const Document& document, const Rig& rig) {
   std::vector<PlacedWeightStroke> placed;
-  Opposites opposites(document, rig);
+  OppositeJoints opposite(document, rig);
   for (const auto& stroke : document.weight_strokes) {
     const auto index = document.find(stroke->part);
     if (!index) continue;
@@ -185,9 +160,9 @@ std::vector<PlacedWeightStroke> placedStrokes(const Document& document, const Ri
     }
     one.trails.push_back(trail);
     if (part.mirror) {
-      trail.joint = opposites.of(stroke->joint, *part.mirror);
+      trail.joint = opposite.of(stroke->joint, *part.mirror);
       // One of a joint that the rig has only on the other side is for the joint opposite to that.
-      one.trails[0].joint = opposites.of(trail.joint, *part.mirror);
+      one.trails[0].joint = opposite.of(trail.joint, *part.mirror);
       for (Vec3& p : trail.points) p = mirrored(p, *part.mirror);
       one.trails.push_back(std::move(trail));
     }
@@ -200,7 +175,7 @@ WeightStroke forJointOfRig(const Document& document, const Rig& rig, WeightStrok
   const auto index = document.find(sourceId(in_space.part));
   if (!index || !isTwinId(in_space.part) || !document.parts[*index]->mirror) return in_space;
   const Plane& plane = *document.parts[*index]->mirror;
-  in_space.joint = oppositeJoint(document, Opposites(document, rig).of(in_space.joint, plane));
+  in_space.joint = oppositeJoint(document, OppositeJoints(document, rig).of(in_space.joint, plane));
   return in_space;
 }
 

@@ -308,4 +308,39 @@ TEST_CASE("mirror: what a coarser rig does not have stays in the pose", "[mirror
         mirroredDirection(turn.move, flat));
 }
 
+TEST_CASE("mirror: the opposite of the opposite joint is the joint, across any plane", "[mirror]") {
+  Random random(7);
+  for (int run = 0; run < 12; ++run) {
+    const Document document = run < 6 ? randomCreature(random, 5) : drawnInOne(random, 0.1);
+    Evaluation evaluation{previewOptions()};
+    evaluation.update(document);
+    Rig rig = evaluation.rig();
+    OppositeJoints opposite(document, rig);
+    for (int k = 0; k < 4; ++k) {
+      Plane plane = randomPlane(random, {random.between(-50, 50), 0, 0});
+      if (k == 3) plane = {{0, 0, 1}, 1e50};
+      for (const Rig::Joint& joint : rig.joints) {
+        const std::string other = opposite.of(joint.id, plane);
+        if (opposite.of(other, plane) != joint.id) FAIL(joint.id << " and " << other);
+      }
+    }
+    // All in one place, and of no size: nothing breaks.
+    for (Rig::Joint& joint : rig.joints) {
+      joint.position = {};
+      joint.radius = 0;
+    }
+    const Plane middle{{1, 0, 0}, 0};
+    for (const uint32_t partner : mirrorPartners(rig, evaluation.placed(), middle)) {
+      CHECK((partner == kNoPartner || partner < rig.joints.size()));
+    }
+    const Pose pose = randomPose(random, rig);
+    for (const auto& [id, motion] : mirroredPose(document, rig, pose, middle)) {
+      CHECK(std::isfinite(length(motion.move)));
+      CHECK(std::abs(dot(motion.rotation, motion.rotation) - 1) < 1e-9);
+    }
+  }
+  CHECK(mirrorPartners({}, {}, {}).empty());
+  CHECK(mirroredPose({}, {}, {}, {}).empty());
+}
+
 }  // namespace marrow
