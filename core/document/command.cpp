@@ -94,6 +94,20 @@ std::vector<Vec2> drawable(const std::vector<Vec2>& stroke) {
 
 Error tooFarAway() { return {Status::noArea, "This is too far away to draw."}; }
 
+size_t meshTriangles(const Document& document) {
+  size_t count = 0;
+  for (const auto& part : document.parts) count += part->mesh ? part->mesh->triangles.size() : 0;
+  return count;
+}
+
+/// Errors: tooMany, where there are now more triangles than the document may hold.
+Result<Document> withinTriangles(const Document& before, Document next) {
+  const size_t count = meshTriangles(next);
+  if (count <= Document::kMostTriangles || count <= meshTriangles(before)) return next;
+  return {Status::tooMany,
+          "The imported models of a drawing have at most 500,000 triangles together."};
+}
+
 /// With the next number, its name and its colour.
 Document withPart(const Document& document, PartSource part) {
   Document next = document;
@@ -137,7 +151,7 @@ Result<Document> applyTo(const Document& document, const ImportPart& command) {
   if (!outline) return outline.error();
   if (!isDrawable(part)) return tooFarAway();
   part.name = toUtf8(command.name);
-  return withPart(document, std::move(part));
+  return withinTriangles(document, withPart(document, std::move(part)));
 }
 
 Result<Document> applyTo(const Document& document, const DeleteParts& command) {
@@ -216,7 +230,7 @@ Result<Document> applyTo(const Document& document, const DuplicateParts& command
   };
   for (const auto& [original, copy] : copy_of) copyStrokes(original, copy, false, rename, next);
   if (next.weight_strokes.size() > Document::kMostWeightStrokes) return Status::tooMany;
-  return next;
+  return withinTriangles(document, std::move(next));
 }
 
 Result<Document> applyTo(const Document& document, const TransformParts& command) {
@@ -392,7 +406,7 @@ Result<Document> applyTo(const Document& document, const SeparateTwins& command)
   }
   separateStrokes(document, new_id, next);
   if (next.weight_strokes.size() > Document::kMostWeightStrokes) return Status::tooMany;
-  return next;
+  return withinTriangles(document, std::move(next));
 }
 
 Result<Document> applyTo(const Document& document, const SetSymmetry& command) {

@@ -6,6 +6,7 @@
 #include "document/command.h"
 #include "document/evaluation.h"
 #include "document/history.h"
+#include "document/reference_image.h"
 #include "io/document_json.h"
 #include "io/json.h"
 #include "rig/connect.h"
@@ -236,6 +237,33 @@ TEST_CASE("import: it is written and read to the same bits, with fields nobody k
   REQUIRE(bare);
   CHECK(bare->parts[0]->stroke == document.parts[0]->stroke);
   CHECK(writeDocument(*bare).find("\"uv\":\"kept\"") != std::string::npos);
+}
+
+TEST_CASE("import: as many models as a drawing takes can be read back, and more are refused",
+          "[import]") {
+  static_assert(3 * kLargestImage + 32 * Document::kMostTriangles < kLargestText);
+  const Mesh ring = torusMesh({}, 100, 30, 240, 200);
+  REQUIRE(ring.triangles.size() == 96'000);
+  const ImportPart import{shared(ring), "Ring"};
+  Document document = must({}, import);
+  const Document twins = must(document, SetMirror{{"part-1"}, Plane{{1, 0, 0}, 300}});
+  while (document.parts.size() < 5) document = must(document, DuplicateParts{{"part-1"}, {}});
+
+  const std::string text = writeDocument(document);
+  const auto read = readDocument(text);
+  REQUIRE(read);
+  CHECK(read->parts.size() == 5);
+
+  const Document mirrored = must(document, SetMirror{{"part-5"}, Plane{{1, 0, 0}, 300}});
+  for (const Command& command : {Command(import), Command(DuplicateParts{{"part-2"}, {}}),
+                                 Command(SeparateTwins{{"part-5"}})}) {
+    const auto refused = apply(mirrored, command);
+    REQUIRE(!refused);
+    CHECK(refused.status() == Status::tooMany);
+    CHECK(refused.message().find("500,000 triangles") != std::string::npos);
+  }
+  CHECK(apply(twins, SeparateTwins{{"part-1"}}));
+  CHECK(apply(mirrored, AddPart{{{0, 0}, {100, 0}, {100, 100}, {0, 100}}}));
 }
 
 TEST_CASE("import: what is no solid is refused, in a command and in a file", "[import]") {
