@@ -45,6 +45,19 @@ bool isNumber(std::string_view word) {
   return at == word.size();
 }
 
+/// Brings the triangles about the origin; false where they have no size.
+bool toSizeOne(Mesh& mesh) {
+  Box3 box;
+  for (const auto& triangle : mesh.triangles) {
+    for (const uint32_t corner : triangle) box.include(mesh.positions[corner]);
+  }
+  const Vec3 size = box.size(), middle = box.middle();
+  const double longest = std::max({size.x, size.y, size.z});
+  if (!(longest > 0)) return false;
+  for (Vec3& p : mesh.positions) p = (p - middle) / longest;
+  return true;
+}
+
 }  // namespace
 
 std::optional<MeshFormat> meshFormatOf(const std::string& bytes, const std::string& file_name) {
@@ -175,28 +188,30 @@ Result<Mesh> readMesh(const std::string& bytes, MeshFormat format) {
   return readGlb(bytes);
 }
 
-Result<Mesh> importMesh(const std::string& bytes, MeshFormat format) {
+Result<ImportedMesh> importModel(const std::string& bytes, MeshFormat format) {
   auto mesh = readMesh(bytes, format);
   if (!mesh) return mesh.error();
   if (mesh->triangles.empty()) return {Status::notSolid, "It holds no surface."};
   if (mesh->triangles.size() > kMostTriangles) return tooManyTriangles();
-  Box3 box;
   for (const auto& triangle : mesh->triangles) {
     for (const uint32_t corner : triangle) {
       if (!isDrawable(mesh->positions[corner])) {
         return {Status::unreadable, "It holds a place that is too far away."};
       }
-      box.include(mesh->positions[corner]);
     }
   }
-  const Vec3 size = box.size(), middle = box.middle();
-  const double longest = std::max({size.x, size.y, size.z});
-  if (!(longest > 0)) return {Status::notSolid, "It encloses nothing."};
-  for (Vec3& p : mesh->positions) p = (p - middle) / longest;
-  auto solid = closeSurface(*mesh);
-  if (!solid) return solid.error();
-  if (solid->triangles.size() > kMostTriangles) return tooManyTriangles();
-  return solid;
+  if (!toSizeOne(*mesh)) return {Status::notSolid, "It encloses nothing."};
+  auto closed = closeMost(*mesh);
+  if (!closed) return closed.error();
+  if (closed->mesh.triangles.size() > kMostTriangles) return tooManyTriangles();
+  if (closed->left_out > 0) toSizeOne(closed->mesh);
+  return ImportedMesh{std::move(closed->mesh), closed->left_out};
+}
+
+Result<Mesh> importMesh(const std::string& bytes, MeshFormat format) {
+  auto model = importModel(bytes, format);
+  if (!model) return model.error();
+  return std::move(model->mesh);
 }
 
 }  // namespace marrow

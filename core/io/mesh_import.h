@@ -37,8 +37,13 @@ constexpr size_t kMostTriangles = PartSource::kMostTriangles;
 ///   only what is in the file itself, uncompressed.
 Result<Mesh> readMesh(const std::string& bytes, MeshFormat format);
 
-/// A closed, outward solid about the origin whose longest side is 1 (see closeSurface), at most
-/// kMostTriangles. Errors: those of readMesh and closeSurface.
+struct ImportedMesh {
+  Mesh mesh;            // a closed, outward solid about the origin whose longest side is 1
+  size_t left_out = 0;  // pieces that could not be closed (see closeMost)
+};
+/// At most kMostTriangles. Errors: those of readMesh and closeMost.
+Result<ImportedMesh> importModel(const std::string& bytes, MeshFormat format);
+/// The same, without a word about what is left out.
 Result<Mesh> importMesh(const std::string& bytes, MeshFormat format);
 
 /// The text of the document that a GLB of ours holds (glb.h); nothing where it holds none, or other
