@@ -94,6 +94,10 @@ std::vector<Vec2> drawable(const std::vector<Vec2>& stroke) {
 
 Error tooFarAway() { return {Status::noArea, "This is too far away to draw."}; }
 
+Error edgeOn() {
+  return {Status::noArea, "It is seen edge-on from here, so turn the view and import it again."};
+}
+
 size_t meshTriangles(const Document& document) {
   size_t count = 0;
   for (const auto& part : document.parts) count += part->mesh ? part->mesh->triangles.size() : 0;
@@ -145,10 +149,9 @@ Result<Document> applyTo(const Document& document, const ImportPart& command) {
   const std::string fault = faultIn(*part.mesh);
   if (!fault.empty()) return {Status::notSolid, "The mesh " + fault + "."};
   auto silhouette = silhouetteOf(*part.mesh);
-  if (!silhouette) return silhouette.error();
+  if (!silhouette) return edgeOn();
   part.stroke = std::move(*silhouette);
-  const auto outline = makeOutline(part.stroke);
-  if (!outline) return outline.error();
+  if (!makeOutline(part.stroke)) return edgeOn();
   if (!isDrawable(part)) return tooFarAway();
   part.name = toUtf8(command.name);
   return withinTriangles(document, withPart(document, std::move(part)));

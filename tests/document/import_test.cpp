@@ -309,6 +309,16 @@ TEST_CASE("import: what is no solid is refused, in a command and in a file", "[i
   CHECK_FALSE(reads("triangles", std::string(2'000'000, 'A')));
 }
 
+TEST_CASE("import: what is seen edge-on is refused with what to do", "[import]") {
+  for (const Vec3 size : {Vec3{0.01, 300, 300}, Vec3{300, 0.01, 300}, Vec3{1e-9, 300, 1e-9}}) {
+    const auto refused = apply({}, ImportPart{shared(boxMesh({}, size)), "Plate"});
+    REQUIRE(!refused);
+    CHECK(refused.status() == Status::noArea);
+    CHECK(refused.message().find("turn the view") != std::string::npos);
+  }
+  CHECK(apply({}, ImportPart{shared(boxMesh({}, {300, 300, 0.01})), "Plate"}));
+}
+
 TEST_CASE("import: its outline is not to be edited; the step and undoing it have its name",
           "[import]") {
   History history;
