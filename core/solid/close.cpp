@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/box.h"
+#include "base/sets.h"
 #include "solid/cap.h"
 #include "solid/quality.h"
 #include "solid/sides.h"

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "solid/weld.h"
+#include "base/sets.h"
 
 namespace marrow {
 namespace {

@@ -1,6 +1,8 @@
 #include "solid/weld.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <unordered_map>
 
 namespace marrow {

@@ -309,6 +309,44 @@ TEST_CASE("import: what is no solid is refused, in a command and in a file", "[i
   CHECK_FALSE(reads("triangles", std::string(2'000'000, 'A')));
 }
 
+TEST_CASE("import: a box is shown and written with sharp edges, as it is and as one body",
+          "[import]") {
+  Document document = must({}, ImportPart{shared(boxMesh({-50, -50, -50}, {50, 50, 50})), "Box"});
+  document = must(document, SetMirror{{"part-1"}, Plane{{1, 0, 0}, 300}});
+  Evaluation evaluation;
+  evaluation.update(document);
+  for (const PlacedPart& placed : evaluation.placed()) {
+    const Part& part = *evaluation.parts()[placed.source].shapeOf(placed);
+    CHECK(part.mesh.positions.size() == 8);
+    CHECK(part.shown.vertices.size() == 24);
+    for (size_t i = 0; i < 24; ++i) {
+      // Out of the middle, and along an axis.
+      const Vec3 n = part.shown.normals[i];
+      CHECK(dot(n, part.mesh.positions[part.shown.vertices[i]]) == Approx(50));
+      CHECK(std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}) == Approx(1));
+    }
+  }
+  for (const bool merged : {true, false}) {
+    CharacterOptions options;
+    options.merged = merged;
+    const Character made = makeCharacter(evaluation, options);
+    size_t vertices = 0;
+    for (const SkinnedMesh& mesh : made.meshes) {
+      vertices += mesh.mesh.positions.size();
+      CHECK(mesh.skin.size() == mesh.mesh.positions.size());
+      for (const auto& triangle : mesh.mesh.triangles) {
+        const Vec3 p = mesh.mesh.positions[triangle[0]];
+        const Vec3 face =
+            cross(mesh.mesh.positions[triangle[1]] - p, mesh.mesh.positions[triangle[2]] - p);
+        for (const uint32_t v : triangle) {
+          CHECK(dot(mesh.normals[v], face / length(face)) > 0.999);
+        }
+      }
+    }
+    CHECK(vertices == 48);
+  }
+}
+
 TEST_CASE("import: what is seen edge-on is refused with what to do", "[import]") {
   for (const Vec3 size : {Vec3{0.01, 300, 300}, Vec3{300, 0.01, 300}, Vec3{1e-9, 300, 1e-9}}) {
     const auto refused = apply({}, ImportPart{shared(boxMesh({}, size)), "Plate"});
