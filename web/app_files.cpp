@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app.h"
-#include "base/box.h"
+#include "importing.h"
 #include "io/document_json.h"
 #include "samples.h"
 #include "solid/close.h"
@@ -13,12 +13,11 @@ namespace marrow {
 namespace {
 
 constexpr double kThumbnailBudget_ms = 10;  // of a frame
-constexpr double kImportedShare = 0.5;      // of the view, what is imported
 
 /// "dog.json cannot be opened: it is empty."
 std::string cannot(const char* done, const std::string& what, const Error& error) {
   std::string why = error.message();
-  for (const char* start : {"It ", "Its ", "More ", "This "}) {
+  for (const char* start : {"It ", "Its ", "More ", "The ", "This "}) {
     if (why.rfind(start, 0) == 0) why[0] = static_cast<char>(std::tolower(why[0]));
   }
   return (what.empty() ? "This drawing" : what) + " cannot be " + done + ": " + why;
@@ -60,6 +59,10 @@ Result<App::Opened> App::openFile(const std::string& bytes, const std::string& f
                                   const Origin& origin) {
   const auto format = meshFormatOf(bytes, file);
   if (!format) {
+    if (const auto error = unknownFile(bytes, file)) {
+      say(cannot("opened", file, *error));
+      return *error;
+    }
     const auto drawing = open(bytes, file, origin);
     if (!drawing) return drawing.error();
     return Opened{*drawing, true};
@@ -78,40 +81,35 @@ Result<App::Opened> App::openFile(const std::string& bytes, const std::string& f
 }
 
 Result<bool> App::importFile(const std::string& bytes, const std::string& file, MeshFormat format) {
-  const auto mesh = importMesh(bytes, format);
-  if (!mesh) {
-    say(cannot("imported", file, mesh.error()));
-    return mesh.error();
+  const auto model = importModel(bytes, format);
+  if (!model) {
+    say(cannot("imported", file, model.error()));
+    return model.error();
   }
   closeEdit();
   tools_.cancelGesture();
   hand_.cancel(ui_);
-  // As the view shows it, in the middle, as deep as the model.
   const Camera camera = ui_.glide.running() ? ui_.glide.destination() : ui_.camera;
-  const auto [right, up, back] = camera.axes();
-  Mesh seen = *mesh;
-  Box3 box;
-  for (Vec3& p : seen.positions) {
-    p = {dot(right, p), dot(up, p), dot(back, p)};
-    box.include(p);
-  }
-  const double scale = kImportedShare / camera.zoom *
-                       std::min(ui_.size.width / box.size().x, ui_.size.height / box.size().y);
-  for (Vec3& p : seen.positions) p = (p - box.middle()) * scale;
-  ImportPart command;
-  command.mesh = std::make_shared<const Mesh>(std::move(seen));
+  ImportPart command = asSeen(model->mesh, camera, ui_.size, pivot());
   command.name = nameOfFile(file);
-  command.frame = {camera.target + back * dot(back, pivot() - camera.target), right, up};
   const auto next = marrow::apply(document(), command);
   if (!next) {
     say(cannot("imported", file, next.error()));
     return next.error();
   }
-  const bool crossed = crossesItself(*command.mesh);
   apply(command);
-  if (crossed) {
-    say(file + " passes through itself, so it cannot become one body with other parts.");
+  std::string said;
+  if (model->left_out > 0) {
+    const std::string count = std::to_string(model->left_out);
+    said = model->left_out == 1
+               ? "A piece of " + file + " is open, so it was left out."
+               : count + " pieces of " + file + " are open, so they were left out.";
   }
+  if (crossesItself(*command.mesh)) {
+    said += (said.empty() ? file + " passes" : " The rest passes") +
+            " through itself, so it cannot become one body with other parts.";
+  }
+  if (!said.empty()) say(said);
   redraw();
   return true;
 }

@@ -15,7 +15,6 @@ namespace marrow {
 namespace {
 
 constexpr uint32_t kNone = UINT32_MAX;
-constexpr double kSameNormal = 1e-6;  // 1 − cosine; closer ones share a vertex
 
 /// The strokes over the weights of the merged surface; and which vertices they reached. Nothing
 /// where it was told to stop.
@@ -83,30 +82,13 @@ void skinBody(const std::vector<JointWeights>& weights, Character& character) {
 
 /// Vertices once for each normal that their triangles have there.
 SkinnedMesh withNormals(const MergedMesh& merged) {
-  SkinnedMesh split;
-  std::vector<std::vector<uint32_t>> copies(merged.mesh.positions.size());
-  for (size_t t = 0; t < merged.mesh.triangles.size(); ++t) {
-    std::array<uint32_t, 3> corners;
-    for (size_t k = 0; k < 3; ++k) {
-      const uint32_t vertex = merged.mesh.triangles[t][k];
-      const Vec3 normal = merged.corner_normals[t][k];
-      auto& here = copies[vertex];
-      const auto same = std::find_if(here.begin(), here.end(), [&](uint32_t copy) {
-        return dot(split.normals[copy], normal) > 1 - kSameNormal;
-      });
-      if (same != here.end()) {
-        corners[k] = *same;
-        continue;
-      }
-      corners[k] = static_cast<uint32_t>(split.mesh.positions.size());
-      here.push_back(corners[k]);
-      split.mesh.positions.push_back(merged.mesh.positions[vertex]);
-      split.normals.push_back(normal);
-      split.merged_vertex.push_back(vertex);
-    }
-    split.mesh.triangles.push_back(corners);
-  }
-  return split;
+  SplitVertices split = splitByNormals(merged.mesh, merged.corner_normals);
+  SkinnedMesh made;
+  for (const uint32_t v : split.vertices) made.mesh.positions.push_back(merged.mesh.positions[v]);
+  made.mesh.triangles = std::move(split.triangles);
+  made.normals = std::move(split.normals);
+  made.merged_vertex = std::move(split.vertices);
+  return made;
 }
 
 const Part* shownPart(const Evaluation& evaluation, const PlacedPart& placed) {
@@ -144,6 +126,7 @@ class Maker {
       }
       addWeights(options_.weighting, seen_.progress, 1);
     }
+    splitParts();
     return std::move(made_);
   }
 
@@ -213,8 +196,27 @@ class Maker {
       const Frame turn{{}, frame.x / frame.scale(), frame.y / frame.scale()};
       for (const Vec3 n : part->normals) own.normals.push_back(turn.toWorld(n));
       own.mesh.triangles = part->mesh.triangles;
+      if (part->imported) sharp_.push_back({made_.meshes.size(), part, turn});
       own.paint_of_triangle.assign(own.mesh.triangles.size(), paint_of_[i]);
       made_.meshes.push_back(std::move(own));
+    }
+  }
+
+  /// Doubles vertices at the sharp edges of imported parts; now that doubles have the same weights.
+  void splitParts() {
+    for (const auto& [index, part, turn] : sharp_) {
+      SkinnedMesh& own = made_.meshes[index];
+      const SplitVertices& shown = part->shown;
+      std::vector<Vec3> positions;
+      std::vector<VertexSkin> skins;
+      for (const uint32_t v : shown.vertices) {
+        positions.push_back(own.mesh.positions[v]);
+        if (!own.skin.empty()) skins.push_back(own.skin[v]);
+      }
+      own.mesh = {std::move(positions), shown.triangles};
+      own.skin = std::move(skins);
+      own.normals.clear();
+      for (const Vec3 n : shown.normals) own.normals.push_back(turn.toWorld(n));
     }
   }
 
@@ -276,6 +278,12 @@ class Maker {
   Stopwatch watch_;
   std::vector<uint32_t> paint_of_;  // by placed part
   bool stopped_ = false;            // while strokes were painted
+  struct Sharp {
+    size_t mesh;  // of the character's
+    const Part* part;
+    Frame turn;
+  };
+  std::vector<Sharp> sharp_;  // imported parts, each a mesh of its own
 };
 
 }  // namespace

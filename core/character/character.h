@@ -25,7 +25,8 @@ struct Paint {
 };
 
 /// At rest, in space. One normal and one skin entry per vertex, or no skin at all: then it follows
-/// no joint. Vertices are doubled where parts meet at an edge, so that each has its own normal.
+/// no joint. Vertices are doubled where parts meet at an edge, and at the sharp edges of imported
+/// ones, so that each has its own normal.
 struct SkinnedMesh {
   std::string name;
   Mesh mesh;

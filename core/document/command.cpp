@@ -95,6 +95,24 @@ std::vector<Vec2> drawable(const std::vector<Vec2>& stroke) {
 
 Error tooFarAway() { return {Status::noArea, "This is too far away to draw."}; }
 
+Error edgeOn() {
+  return {Status::noArea, "It is seen edge-on from here, so turn the view and import it again."};
+}
+
+size_t meshTriangles(const Document& document) {
+  size_t count = 0;
+  for (const auto& part : document.parts) count += part->mesh ? part->mesh->triangles.size() : 0;
+  return count;
+}
+
+/// Errors: tooMany, where there are now more triangles than the document may hold.
+Result<Document> withinTriangles(const Document& before, Document next) {
+  const size_t count = meshTriangles(next);
+  if (count <= Document::kMostTriangles || count <= meshTriangles(before)) return next;
+  return {Status::tooMany,
+          "The imported models of a drawing have at most 500,000 triangles together."};
+}
+
 /// With the next number, its name and its colour.
 Document withPart(const Document& document, PartSource part) {
   Document next = document;
@@ -132,13 +150,12 @@ Result<Document> applyTo(const Document& document, const ImportPart& command) {
   const std::string fault = faultIn(*part.mesh);
   if (!fault.empty()) return {Status::notSolid, "The mesh " + fault + "."};
   auto silhouette = silhouetteOf(*part.mesh);
-  if (!silhouette) return silhouette.error();
+  if (!silhouette) return edgeOn();
   part.stroke = std::move(*silhouette);
-  const auto outline = makeOutline(part.stroke);
-  if (!outline) return outline.error();
+  if (!makeOutline(part.stroke)) return edgeOn();
   if (!isDrawable(part)) return tooFarAway();
   part.name = toUtf8(command.name);
-  return withPart(document, std::move(part));
+  return withinTriangles(document, withPart(document, std::move(part)));
 }
 
 Result<Document> applyTo(const Document& document, const DeleteParts& command) {
@@ -217,7 +234,7 @@ Result<Document> applyTo(const Document& document, const DuplicateParts& command
   };
   for (const auto& [original, copy] : copy_of) copyStrokes(original, copy, false, rename, next);
   if (next.weight_strokes.size() > Document::kMostWeightStrokes) return Status::tooMany;
-  return next;
+  return withinTriangles(document, std::move(next));
 }
 
 /// What a map did to a part.
@@ -453,7 +470,7 @@ Result<Document> applyTo(const Document& document, const SeparateTwins& command)
   }
   separateStrokesAndPoses(document, new_id, next);
   if (next.weight_strokes.size() > Document::kMostWeightStrokes) return Status::tooMany;
-  return next;
+  return withinTriangles(document, std::move(next));
 }
 
 Result<Document> applyTo(const Document& document, const SetSymmetry& command) {

@@ -21,7 +21,8 @@ struct AddPart {
   std::optional<Plane> mirror = {};
 };
 /// A part that is a mesh (PartSource::mesh), with the skeleton of its silhouette in the frame's
-/// plane. Errors: notSolid for one that is none, noArea.
+/// plane. Errors: notSolid for one that is none, noArea, also where it has no breadth in that plane;
+/// tooMany.
 struct ImportPart {
   std::shared_ptr<const Mesh> mesh;  // in the frame; not null
   std::string name;                  // of the part; empty: by its number
@@ -31,7 +32,7 @@ struct DeleteParts {
   Ids ids;
 };
 /// Copies of the parts with all that is set for them, placed `move` away, each after its original.
-/// Attachments among the copied parts are kept among the copies.
+/// Attachments among the copied parts are kept among the copies. Errors: tooMany.
 struct DuplicateParts {
   Ids ids;
   Vec3 move;
@@ -81,7 +82,7 @@ struct SetMirror {
   std::optional<Plane> plane;
 };
 /// Twins become parts of their own, each after what was its mirror image; attachments to them stay.
-/// "Leg" becomes "Leg.L" and "Leg.R".
+/// "Leg" becomes "Leg.L" and "Leg.R". Errors: tooMany.
 struct SeparateTwins {
   Ids ids;
 };

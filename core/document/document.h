@@ -99,6 +99,9 @@ struct Document {
   static constexpr size_t kMostParts = 10'000;
   static constexpr size_t kMostPoses = 1'000;
   static constexpr size_t kMostWeightStrokes = 5'000;
+  /// Of all imported meshes together, so that what is written can be read back: 32 bytes each at
+  /// most, beside three of the largest pictures.
+  static constexpr size_t kMostTriangles = 500'000;
   static constexpr double kLargestBlend = 1'000;
 
   std::vector<std::shared_ptr<const PartSource>> parts;  // in modelling order, never null

@@ -20,7 +20,7 @@ std::optional<uint32_t> vertexOf(std::string_view word, size_t count) {
 
 Result<Mesh> readObj(const std::string& bytes) {
   Mesh mesh;
-  Words words(bytes);
+  Words words(bytes, Lines::continued);
   std::vector<uint32_t> corners;
   size_t line = 0;
   while (words.nextLine()) {

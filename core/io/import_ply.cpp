@@ -44,7 +44,7 @@ std::optional<Type> typeOf(std::string_view name) {
 
 class Reader {
  public:
-  explicit Reader(const std::string& bytes) : bytes_(bytes), words_(bytes) {}
+  explicit Reader(const std::string& bytes) : bytes_(bytes), words_(bytes, Lines::plain) {}
 
   Result<Mesh> run() {
     if (auto error = readHeader()) return *error;
@@ -124,7 +124,9 @@ class Reader {
     // Without properties an element takes no bytes, and says nothing.
     if (element.properties.empty()) return std::nullopt;
     const bool vertices = element.name == "vertex", faces = element.name == "face";
-    if (vertices && element.count > kMostReadVertices) return tooManyVertices();
+    if (vertices && element.count > kMostReadVertices - mesh_.positions.size()) {
+      return tooManyVertices();
+    }
     if (faces && element.count > kMostReadTriangles) return tooManyTriangles();
     for (size_t i = 0; i < element.count; ++i) {
       Vec3 p;
@@ -141,7 +143,7 @@ class Reader {
         if (corners) {
           corner_count_ += length;
           if (corner_count_ > 3 * kMostReadTriangles) return tooManyTriangles();
-          faces_.push_back({indices_.size(), length});
+          if (length >= 3) faces_.push_back({indices_.size(), length});
         }
         for (size_t k = 0; k < length; ++k) {
           const auto value = number(property.type);

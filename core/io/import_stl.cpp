@@ -14,12 +14,12 @@ uint32_t countIn(const std::string& bytes) {
   return take<uint32_t>(bytes, at);
 }
 
-/// By its size: many a binary file begins with "solid", too.
+/// Many a binary file begins with "solid", too; but no text has a zero, and the highest byte of a
+/// count is one.
 bool isBinary(const std::string& bytes) {
   if (bytes.size() < kHeader + kCount) return false;
-  if (bytes.size() == kHeader + kCount + kTriangle * size_t{countIn(bytes)}) return true;
-  Words words(bytes);
-  return words.anyWord() != "solid";
+  if (bytes[kHeader + kCount - 1] == '\0') return true;
+  return Words(bytes, Lines::plain).anyWord() != "solid";
 }
 
 Result<Mesh> readBinary(const std::string& bytes) {
@@ -45,8 +45,10 @@ Result<Mesh> readBinary(const std::string& bytes) {
 
 Result<Mesh> readText(const std::string& bytes) {
   Mesh mesh;
-  Words words(bytes);
-  for (auto word = words.anyWord(); !word.empty(); word = words.anyWord()) {
+  Words words(bytes, Lines::plain);
+  if (words.anyWord() != "solid") return {Status::unreadable, "It is no STL file."};
+  for (auto word = std::string_view("solid"); !word.empty(); word = words.anyWord()) {
+    if (word == "solid" || word == "endsolid") words.skipLine();  // anything may be a name
     if (word != "vertex") continue;
     Vec3 p;
     for (double* into : {&p.x, &p.y, &p.z}) {
@@ -67,10 +69,10 @@ Result<Mesh> readText(const std::string& bytes) {
 }  // namespace
 
 Result<Mesh> readStl(const std::string& bytes) {
-  if (isBinary(bytes)) return readBinary(bytes);
-  Words words(bytes);
-  if (words.anyWord() != "solid") return {Status::unreadable, "It is no STL file."};
-  return readText(bytes);
+  auto mesh = isBinary(bytes) ? readBinary(bytes) : readText(bytes);
+  if (!mesh) return mesh;
+  for (Vec3& p : mesh->positions) p = {p.x, p.z, -p.y};
+  return mesh;
 }
 
 }  // namespace marrow

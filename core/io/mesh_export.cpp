@@ -36,6 +36,8 @@ class Bytes {
   bool finite_ = true;
 };
 
+Vec3 upIsZ(Vec3 p) { return {p.x, -p.z, p.y}; }
+
 }  // namespace
 
 std::string toObj(const SkinnedMesh& mesh, const std::vector<Paint>& paints) {
@@ -62,7 +64,8 @@ Result<std::string> toStl(const SkinnedMesh& mesh) {
   bytes.text(header);
   bytes.put(static_cast<uint32_t>(mesh.mesh.triangles.size()));
   for (const auto& [a, b, c] : mesh.mesh.triangles) {
-    const Vec3 p = mesh.mesh.positions[a], q = mesh.mesh.positions[b], r = mesh.mesh.positions[c];
+    const Vec3 p = upIsZ(mesh.mesh.positions[a]), q = upIsZ(mesh.mesh.positions[b]),
+               r = upIsZ(mesh.mesh.positions[c]);
     const Vec3 normal = cross(q - p, r - p);
     const double size = length(normal);
     bytes.put(size > 0 ? normal / size : Vec3{});

@@ -13,8 +13,6 @@
 namespace marrow {
 namespace {
 
-constexpr size_t kMostCornersCut = 32;  // of a face; longer ones are cut like fans
-
 bool endsWith(const std::string& name, const char* ending) {
   const size_t size = std::strlen(ending);
   if (name.size() < size) return false;
@@ -47,46 +45,17 @@ bool isNumber(std::string_view word) {
   return at == word.size();
 }
 
-/// The ears of a flat polygon, by its projection along the largest coordinate of its normal.
-void cutEars(Mesh& mesh, const std::vector<uint32_t>& corners, Vec3 normal) {
-  const double x = std::fabs(normal.x), y = std::fabs(normal.y), z = std::fabs(normal.z);
-  std::vector<Vec2> flat;
-  for (const uint32_t corner : corners) {
-    const Vec3 p = mesh.positions[corner];
-    Vec2 q;
-    if (z >= x && z >= y) {
-      q = normal.z > 0 ? Vec2{p.x, p.y} : Vec2{p.y, p.x};
-    } else if (y >= x) {
-      q = normal.y > 0 ? Vec2{p.z, p.x} : Vec2{p.x, p.z};
-    } else {
-      q = normal.x > 0 ? Vec2{p.y, p.z} : Vec2{p.z, p.y};
-    }
-    flat.push_back(q);
+/// Brings the triangles about the origin; false where they have no size.
+bool toSizeOne(Mesh& mesh) {
+  Box3 box;
+  for (const auto& triangle : mesh.triangles) {
+    for (const uint32_t corner : triangle) box.include(mesh.positions[corner]);
   }
-  std::vector<uint32_t> left;
-  for (uint32_t i = 0; i < corners.size(); ++i) left.push_back(i);
-  const auto isEar = [&](size_t i) {
-    const uint32_t a = left[(i + left.size() - 1) % left.size()], b = left[i],
-                   c = left[(i + 1) % left.size()];
-    if (!(cross(flat[b] - flat[a], flat[c] - flat[a]) > 0)) return false;
-    return std::none_of(left.begin(), left.end(), [&](uint32_t other) {
-      if (other == a || other == b || other == c) return false;
-      const Vec2 p = flat[other];
-      return cross(flat[b] - flat[a], p - flat[a]) >= 0 &&
-             cross(flat[c] - flat[b], p - flat[b]) >= 0 &&
-             cross(flat[a] - flat[c], p - flat[c]) >= 0;
-    });
-  };
-  while (left.size() > 3) {
-    size_t ear = 0;
-    while (ear < left.size() && !isEar(ear)) ++ear;
-    if (ear == left.size()) ear = 0;  // no simple polygon: any cut is as good as another
-    const size_t n = left.size();
-    mesh.triangles.push_back(
-        {corners[left[(ear + n - 1) % n]], corners[left[ear]], corners[left[(ear + 1) % n]]});
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
-  }
-  mesh.triangles.push_back({corners[left[0]], corners[left[1]], corners[left[2]]});
+  const Vec3 size = box.size(), middle = box.middle();
+  const double longest = std::max({size.x, size.y, size.z});
+  if (!(longest > 0)) return false;
+  for (Vec3& p : mesh.positions) p = (p - middle) / longest;
+  return true;
 }
 
 }  // namespace
@@ -103,51 +72,58 @@ std::optional<MeshFormat> meshFormatOf(const std::string& bytes, const std::stri
   return std::nullopt;
 }
 
+std::optional<Error> unknownFile(const std::string& bytes, const std::string& file_name) {
+  if (endsWith(file_name, ".gltf")) {
+    return Error{Status::unreadable, "It is a glTF text, so export it again as GLB."};
+  }
+  const std::string_view start = Words(bytes, Lines::plain).anyWord().substr(0, 1);
+  if (start.empty() || start == "{") return std::nullopt;
+  return Error{Status::unreadable,
+               "It is neither a Marrow drawing nor a GLB, OBJ, PLY or STL model."};
+}
+
 Error tooManyTriangles() {
   return {Status::tooMany,
           "It has more than 100,000 triangles, so reduce it in the program it comes from."};
 }
 Error tooManyVertices() { return {Status::tooMany, "It has more than 600,000 vertices."}; }
 
-void addFace(Mesh& mesh, const std::vector<uint32_t>& corners) {
-  if (corners.size() < 3) return;
-  if (corners.size() == 3) {
-    mesh.triangles.push_back({corners[0], corners[1], corners[2]});
-    return;
-  }
-  const Vec3 first = mesh.positions[corners[0]];
-  Vec3 normal;
-  for (size_t i = 1; i + 1 < corners.size(); ++i) {
-    normal =
-        normal + cross(mesh.positions[corners[i]] - first, mesh.positions[corners[i + 1]] - first);
-  }
-  if (corners.size() <= kMostCornersCut) return cutEars(mesh, corners, normal);
-  for (size_t i = 1; i + 1 < corners.size(); ++i) {
-    mesh.triangles.push_back({corners[0], corners[i], corners[i + 1]});
-  }
+Words::Words(std::string_view text, Lines lines) : text_(text), lines_(lines) {
+  if (text.substr(0, 3) == "\xEF\xBB\xBF") begin_ = 3;  // the mark of UTF-8
 }
 
 bool Words::nextLine() {
   if (begun_ && end_ >= text_.size()) return false;
-  at_ = begun_ ? end_ + 1 : 0;
+  size_t from = begun_ ? end_ + 1 : begin_;
+  at_ = from;
   begun_ = true;
-  end_ = text_.find('\n', at_);
-  while (end_ != std::string_view::npos) {
-    size_t last = end_;
-    if (last > at_ && text_[last - 1] == '\r') --last;
-    if (last == at_ || text_[last - 1] != '\\') break;
-    end_ = text_.find('\n', end_ + 1);
+  end_ = text_.find('\n', from);
+  while (lines_ == Lines::continued && end_ != std::string_view::npos && continues(from)) {
+    from = end_ + 1;
+    end_ = text_.find('\n', from);
   }
   end_ = std::min(end_, text_.size());
   return at_ < text_.size();
 }
 
+/// Whether the line that begins there and has an end goes on behind it.
+bool Words::continues(size_t from) const {
+  size_t last = end_;
+  if (last > from && text_[last - 1] == '\r') --last;
+  if (last == from || text_[last - 1] != '\\') return false;
+  for (size_t i = from; i < last; ++i) {
+    if (text_[i] == '#' && (i == from || isSpace(text_[i - 1]))) return false;
+  }
+  return true;
+}
+
 std::string_view Words::word() {
   const auto separates = [&](size_t i) {
-    return isSpace(text_[i]) ||
-           (text_[i] == '\\' && i + 1 < end_ && (text_[i + 1] == '\n' || text_[i + 1] == '\r'));
+    return isSpace(text_[i]) || (lines_ == Lines::continued && text_[i] == '\\' && i + 1 < end_ &&
+                                 (text_[i + 1] == '\n' || text_[i + 1] == '\r'));
   };
   while (at_ < end_ && separates(at_)) ++at_;
+  if (lines_ == Lines::continued && at_ < end_ && text_[at_] == '#') at_ = end_;
   const size_t from = at_;
   while (at_ < end_ && !separates(at_)) ++at_;
   return text_.substr(from, at_ - from);
@@ -212,29 +188,30 @@ Result<Mesh> readMesh(const std::string& bytes, MeshFormat format) {
   return readGlb(bytes);
 }
 
-Result<Mesh> importMesh(const std::string& bytes, MeshFormat format) {
+Result<ImportedMesh> importModel(const std::string& bytes, MeshFormat format) {
   auto mesh = readMesh(bytes, format);
   if (!mesh) return mesh.error();
   if (mesh->triangles.empty()) return {Status::notSolid, "It holds no surface."};
   if (mesh->triangles.size() > kMostTriangles) return tooManyTriangles();
-  Box3 box;
   for (const auto& triangle : mesh->triangles) {
     for (const uint32_t corner : triangle) {
       if (!isDrawable(mesh->positions[corner])) {
         return {Status::unreadable, "It holds a place that is too far away."};
       }
-      box.include(mesh->positions[corner]);
     }
   }
-  const Vec3 size = box.size(), middle = box.middle();
-  const double longest = std::max({size.x, size.y, size.z});
-  if (!(longest > 0)) return {Status::notSolid, "It encloses nothing."};
-  // Vertices that no triangle uses may be anywhere.
-  for (Vec3& p : mesh->positions) p = isDrawable(p) ? (p - middle) / longest : Vec3{};
-  auto solid = closeSurface(*mesh);
-  if (!solid) return solid.error();
-  if (solid->triangles.size() > kMostTriangles) return tooManyTriangles();
-  return solid;
+  if (!toSizeOne(*mesh)) return {Status::notSolid, "It encloses nothing."};
+  auto closed = closeMost(*mesh);
+  if (!closed) return closed.error();
+  if (closed->mesh.triangles.size() > kMostTriangles) return tooManyTriangles();
+  if (closed->left_out > 0) toSizeOne(closed->mesh);
+  return ImportedMesh{std::move(closed->mesh), closed->left_out};
+}
+
+Result<Mesh> importMesh(const std::string& bytes, MeshFormat format) {
+  auto model = importModel(bytes, format);
+  if (!model) return model.error();
+  return std::move(model->mesh);
 }
 
 }  // namespace marrow

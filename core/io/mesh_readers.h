@@ -19,16 +19,24 @@ Result<Mesh> readGlb(const std::string& bytes);
 Error tooManyTriangles();
 Error tooManyVertices();
 
-/// Cuts a face into triangles: a flat one well, whatever its shape. corners: indices of vertices.
+/// Cuts a face into triangles: a flat one well, whatever its shape, as long as it does not cross
+/// itself; holes may be cut out by a bridge, where it has few corners. corners: indices of
+/// vertices.
 void addFace(Mesh& mesh, const std::vector<uint32_t>& corners);
+
+/// How a text's lines are meant: as they are; or one that ends with a backslash goes on, and a word
+/// that begins with # begins a comment, which goes to the end of its own line.
+enum class Lines { plain, continued };
 
 /// The words of one line after another.
 class Words {
  public:
-  explicit Words(std::string_view text) : text_(text) {}
+  Words(std::string_view text, Lines lines);
 
-  /// Goes to the next line; false behind the last. A line that ends with a backslash goes on.
+  /// Goes to the next line; false behind the last.
   bool nextLine();
+  /// Leaves out what is left of the line.
+  void skipLine() { at_ = end_; }
   /// The next word of the line; empty behind its last.
   std::string_view word();
   /// The next word, of any line.
@@ -37,8 +45,11 @@ class Words {
   size_t lineEnd() const { return end_ < text_.size() ? end_ + 1 : end_; }
 
  private:
+  bool continues(size_t from) const;
+
   std::string_view text_;
-  size_t at_ = 0, end_ = 0;
+  Lines lines_;
+  size_t begin_ = 0, at_ = 0, end_ = 0;
   bool begun_ = false;
 };
 

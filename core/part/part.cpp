@@ -14,6 +14,11 @@ constexpr double kSmallestPerimeter = 1e-50;
 
 constexpr int kOutlineAttempts = 6;
 
+void setNormals(Part& part) {
+  part.normals = vertexNormals(part.mesh);
+  if (part.imported) part.shown = splitByNormals(part.mesh, cornerNormals(part.mesh));
+}
+
 /// Scales the mesh's depth. Normals and proxy have to be redone then.
 void setThickness(Part& part, double thickness) {
   for (size_t i = 0; i < part.depths.size(); ++i) {
@@ -143,7 +148,7 @@ Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& optio
   setThickness(part, options.inflate.thickness);
   watch.lap("inflation");
 
-  part.normals = vertexNormals(part.mesh);
+  setNormals(part);
   watch.lap("normals");
 
   setProxy(part, options.inflate.thickness);
@@ -166,7 +171,7 @@ Result<Part> importPart(const Mesh& mesh, const std::vector<Vec2>& silhouette,
   setThickness(part, options.inflate.thickness);
   watch.lap("inflation");
 
-  part.normals = vertexNormals(part.mesh);
+  setNormals(part);
   watch.lap("normals");
 
   makeLevels(part, options);
@@ -183,6 +188,8 @@ Part flipped(const Part& part) {
   for (Vec3& position : other.mesh.positions) position.z = -position.z;
   for (auto& triangle : other.mesh.triangles) std::swap(triangle[1], triangle[2]);
   for (Vec3& normal : other.normals) normal.z = -normal.z;
+  for (Vec3& normal : other.shown.normals) normal.z = -normal.z;
+  for (auto& triangle : other.shown.triangles) std::swap(triangle[1], triangle[2]);
   for (double& depth : other.depths) depth = -depth;
   for (DepthSpan& span : other.spans) span = {-span.high, -span.low};
   for (auto& joint : other.skeleton.joints) joint.depth = -joint.depth;
@@ -199,7 +206,7 @@ Part withThickness(const Part& part, double thickness, Clock clock) {
   Part next = part;
   setThickness(next, thickness);
   watch.lap("inflation");
-  next.normals = vertexNormals(next.mesh);
+  setNormals(next);
   watch.lap("normals");
   setProxy(next, thickness);
   watch.lap("proxy");

@@ -15,6 +15,7 @@
 #include "sketch/outline.h"
 #include "surface/inflate.h"
 #include "surface/mesh.h"
+#include "surface/sharp.h"
 #include "surface/triangulation.h"
 
 namespace marrow {
@@ -39,7 +40,8 @@ struct Part {
   std::vector<double> depths;           // z of each mesh vertex at thickness 1
   Relief relief;                        // the mesh's sides, at thickness 1
   std::vector<double> inscribed_radii;  // one per joint
-  bool imported = false;                // the mesh is not the same in front and behind
+  SplitVertices shown;    // of an imported one, as it is to be shaded: sharp where its edges are
+  bool imported = false;  // the mesh is not the same in front and behind
   std::vector<DepthSpan> spans;  // of an imported one: the body at the branches' samples, branch
                                  // by branch, at thickness 1
   Timings timings;               // stages: outline, straightSkeleton, axis, joints, triangulation,

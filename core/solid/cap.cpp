@@ -13,8 +13,9 @@ namespace {
 
 using Triangles = std::vector<std::array<uint32_t, 3>>;  // indices of the loop
 
-constexpr double kFlat = 0.1;  // of the hole's size
-constexpr size_t kShort = 64;  // corners
+constexpr double kFlat = 0.1;   // of the hole's size
+constexpr double kLine = 1e-6;  // of the hole's size
+constexpr size_t kShort = 64;   // corners
 constexpr size_t kMostCorners = 4000;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -52,16 +53,53 @@ Triangles leastArea(const std::vector<Vec3>& points) {
   return triangles;
 }
 
+/// The cap without area of a hole whose corners lie on a line, there and back; empty for others.
+Triangles zip(const std::vector<Vec3>& points, double size) {
+  const size_t n = points.size();
+  const auto furthest = [&](Vec3 p) {
+    size_t found = 0;
+    for (size_t i = 1; i < n; ++i) {
+      if (distance(points[i], p) > distance(points[found], p)) found = i;
+    }
+    return found;
+  };
+  const size_t first = furthest(points[0]), last = furthest(points[first]);
+  const Vec3 way = points[last] - points[first];
+  if (first == last || !(length(way) > 0)) return {};
+  for (const Vec3 p : points) {
+    if (!(length(cross(way, p - points[first])) <= kLine * size * length(way))) return {};
+  }
+  // Two chains from the first corner to the last.
+  std::vector<uint32_t> forth, back;
+  for (size_t i = first; i != last; i = (i + 1) % n) forth.push_back(static_cast<uint32_t>(i));
+  for (size_t i = first; i != last; i = (i + n - 1) % n) back.push_back(static_cast<uint32_t>(i));
+  forth.push_back(static_cast<uint32_t>(last));
+  back.push_back(static_cast<uint32_t>(last));
+  const auto along = [&](uint32_t i) { return dot(points[i] - points[first], way); };
+  const auto isBefore = [&](uint32_t i, uint32_t k) { return along(i) < along(k); };
+  if (!std::is_sorted(forth.begin(), forth.end(), isBefore)) return {};
+  if (!std::is_sorted(back.begin(), back.end(), isBefore)) return {};
+  Triangles triangles;
+  for (size_t i = 0, k = 0; i + 1 < forth.size() || k + 1 < back.size();) {
+    const bool on_forth =
+        k + 1 == back.size() || (i + 1 < forth.size() && isBefore(forth[i + 1], back[k + 1]));
+    const uint32_t next = on_forth ? forth[i + 1] : back[k + 1];
+    if (forth[i] != back[k] && next != forth[i] && next != back[k]) {
+      triangles.push_back({forth[i], next, back[k]});
+    }
+    ++(on_forth ? i : k);
+  }
+  return triangles;
+}
+
 /// Whether a triangle of the cap has a side, other than the loop's own, that is an edge already.
-bool meetsMesh(const std::vector<std::pair<uint32_t, uint32_t>>& edges,
-               const std::vector<uint32_t>& loop, const Triangles& cap) {
+bool meetsMesh(const Edges& edges, const std::vector<uint32_t>& loop, const Triangles& cap) {
   const auto n = static_cast<uint32_t>(loop.size());
   for (const auto& triangle : cap) {
     for (size_t k = 0; k < 3; ++k) {
       const uint32_t a = triangle[k], b = triangle[(k + 1) % 3];
       if ((a + 1) % n == b || (b + 1) % n == a) continue;
-      const std::pair<uint32_t, uint32_t> side = std::minmax(loop[a], loop[b]);
-      if (std::binary_search(edges.begin(), edges.end(), side)) return true;
+      if (edges.has(loop[a], loop[b])) return true;
     }
   }
   return false;
@@ -69,8 +107,17 @@ bool meetsMesh(const std::vector<std::pair<uint32_t, uint32_t>>& edges,
 
 }  // namespace
 
-bool fillHole(Mesh& mesh, const std::vector<uint32_t>& loop,
-              const std::vector<std::pair<uint32_t, uint32_t>>& edges, double small) {
+Edges edgesOf(const Mesh& mesh) {
+  Edges edges;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    edges.add(a, b);
+    edges.add(b, c);
+    edges.add(c, a);
+  }
+  return edges;
+}
+
+bool fillHole(Mesh& mesh, const std::vector<uint32_t>& loop, Edges& edges, double small) {
   const size_t n = loop.size();
   if (n < 3 || n > kMostCorners) return false;
   std::vector<Vec3> points;
@@ -86,8 +133,9 @@ bool fillHole(Mesh& mesh, const std::vector<uint32_t>& loop,
     normal = normal + cross(points[i] - mean, points[(i + 1) % n] - mean);
   }
   const double size = length(box.size()), area = length(normal);
+  const Triangles zipped = zip(points, size);
   const bool is_small = size <= small;
-  if (!is_small) {
+  if (!is_small && zipped.empty()) {
     if (!(area > 0)) return false;
     for (const Vec3 p : points) {
       if (!(std::fabs(dot(normal / area, p - mean)) <= kFlat * size)) return false;
@@ -103,13 +151,20 @@ bool fillHole(Mesh& mesh, const std::vector<uint32_t>& loop,
     for (const Vec3 p : points) flat.push_back({dot(x, p - mean), dot(y, p - mean)});
   }
   ConstrainedDelaunay delaunay;
-  if (n <= kShort) {
+  if (!zipped.empty()) {
+    cap = zipped;
+  } else if (n <= kShort) {
     cap = leastArea(points);
   } else if (!flat.empty() && isSimple(flat, 16 * n) && delaunay.start(flat, n)) {
     cap = delaunay.triangles();
   }
   if (cap.size() + 2 == n && !meetsMesh(edges, loop, cap)) {
-    for (const auto& [a, b, c] : cap) mesh.triangles.push_back({loop[a], loop[b], loop[c]});
+    for (const auto& [a, b, c] : cap) {
+      mesh.triangles.push_back({loop[a], loop[b], loop[c]});
+      edges.add(loop[a], loop[b]);
+      edges.add(loop[b], loop[c]);
+      edges.add(loop[c], loop[a]);
+    }
     return true;
   }
   // A fan about the middle shares no side with anything.

@@ -8,6 +8,7 @@
 #include "solid/cut.h"
 #include "solid/fill.h"
 #include "solid/quality.h"
+#include "surface/sharp.h"
 
 namespace marrow {
 namespace {
@@ -22,6 +23,7 @@ struct Solid {
   uint32_t input;
   Mesh mesh;  // in the model, outward
   std::vector<Vec3> normals;
+  std::vector<std::array<Vec3, 3>> corner_normals;  // of a foreign one
   Box3 box;
   int rank = 0;
 };
@@ -95,6 +97,7 @@ class Merger {
       }
     }
     solid.normals = vertexNormals(solid.mesh);
+    if (input.foreign) solid.corner_normals = cornerNormals(solid.mesh);
     solids_.push_back(std::move(solid));
   }
 
@@ -223,12 +226,14 @@ class Merger {
   void makeSoup(uint64_t attempt) {
     soup_ = {};
     first_points_.clear();
+    first_triangles_.clear();
     uint64_t seed = attempt << 40;
     const double more = static_cast<double>(uint64_t{1} << (2 * attempt));
     for (uint32_t s = 0; s < solids_.size(); ++s) {
       const Solid& solid = solids_[s];
       const uint32_t base = static_cast<uint32_t>(soup_.points.size());
       first_points_.push_back(base);
+      first_triangles_.push_back(static_cast<uint32_t>(soup_.triangles.size()));
       const double outward = kOutward * more * (solid.rank + 1);
       for (size_t v = 0; v < solid.mesh.positions.size(); ++v) {
         const Vec3 at = (solid.mesh.positions[v] - middle_) / unit_ + solid.normals[v] * outward;
@@ -336,7 +341,7 @@ class Merger {
     for (size_t t = 0; t < triangles_.size(); ++t) {
       const uint32_t part = soup_.part_of_triangle[sources_[t]];
       std::array<Vec3, 3> normals;
-      for (size_t i = 0; i < 3; ++i) normals[i] = normalAt(triangles_[t][i], part, triangles_[t]);
+      for (size_t i = 0; i < 3; ++i) normals[i] = normalAt(triangles_[t][i], part, t);
       merged_.corner_normals.push_back(normals);
       merged_.part_of_triangle.push_back(inputs_[solids_[part].input].id);
     }
@@ -345,12 +350,16 @@ class Merger {
     merged_.self_intersections = best_.crossings;
   }
 
-  Vec3 normalAt(uint32_t point, uint32_t part, const std::array<uint32_t, 3>& triangle) const {
-    if (point < soup_.points.size() && soup_.part_of_point[point] == part) return original(point);
+  /// Of a triangle of the union.
+  Vec3 normalAt(uint32_t point, uint32_t part, size_t triangle) const {
+    const uint32_t source = sources_[triangle];
+    if (point < soup_.points.size() && soup_.part_of_point[point] == part) {
+      return original(point, source);
+    }
     if (point >= soup_.points.size()) {
       const Cut::Origin& origin = cut_.origins[point - soup_.points.size()];
       if (origin.a != origin.b && soup_.part_of_point[origin.a] == part) {
-        return unit(lerp(original(origin.a), original(origin.b), origin.share));
+        return unit(lerp(original(origin.a, source), original(origin.b, source), origin.share));
       }
       const int count = origin.a != origin.b ? 1 : 3;
       for (int i = 0; i < count; ++i) {
@@ -359,13 +368,22 @@ class Merger {
         }
       }
     }
-    const Vec3 a = cut_.points[triangle[0]];
-    return unit(cross(cut_.points[triangle[1]] - a, cut_.points[triangle[2]] - a));
+    const auto& corners = triangles_[triangle];
+    const Vec3 a = cut_.points[corners[0]];
+    return unit(cross(cut_.points[corners[1]] - a, cut_.points[corners[2]] - a));
   }
 
-  Vec3 original(uint32_t point) const {
+  /// As a triangle of the soup has it; the smooth one where it has no such corner.
+  Vec3 original(uint32_t point, uint32_t triangle) const {
     const uint32_t part = soup_.part_of_point[point];
-    return solids_[part].normals[point - first_points_[part]];
+    const Solid& solid = solids_[part];
+    if (!solid.corner_normals.empty() && soup_.part_of_triangle[triangle] == part) {
+      for (size_t k = 0; k < 3; ++k) {
+        if (soup_.triangles[triangle][k] != point) continue;
+        return solid.corner_normals[triangle - first_triangles_[part]][k];
+      }
+    }
+    return solid.normals[point - first_points_[part]];
   }
 
   Vec3 within(uint32_t triangle, Vec3 p) const {
@@ -375,7 +393,8 @@ class Merger {
     const double all = dot(normal, normal);
     const double at_b = dot(normal, cross(p - a, c - a)) / all,
                  at_c = dot(normal, cross(b - a, p - a)) / all;
-    return unit(original(i) * (1 - at_b - at_c) + original(j) * at_b + original(k) * at_c);
+    return unit(original(i, triangle) * (1 - at_b - at_c) + original(j, triangle) * at_b +
+                original(k, triangle) * at_c);
   }
 
   static Vec3 unit(Vec3 v) {
@@ -397,7 +416,7 @@ class Merger {
   Vec3 middle_;
   double unit_ = 1;
   Soup soup_;
-  std::vector<uint32_t> first_points_;  // of each part
+  std::vector<uint32_t> first_points_, first_triangles_;  // of each part
   Cut cut_;
   std::vector<uint32_t> sources_;  // of each triangle, what triangle of the soup it is a piece of
   std::vector<std::array<uint32_t, 3>> triangles_;

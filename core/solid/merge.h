@@ -38,7 +38,7 @@ struct MergedMesh {
   Mesh mesh;                               // in model units; empty where there is nothing to merge
   std::vector<uint32_t> part_of_triangle;  // ids
   /// Unit normals at the corners of each triangle: those of its own part's smooth surface, also at
-  /// the seams.
+  /// the seams; a foreign one is smooth but for sharp edges (see cornerNormals).
   std::vector<std::array<Vec3, 3>> corner_normals;
   std::vector<char> on_seam;  // one per vertex: whether several parts meet there
   std::vector<LeftOut> left_out;

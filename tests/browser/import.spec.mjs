@@ -24,12 +24,15 @@ function limb(around = 16, along = 30) {
   return {points, triangles};
 }
 
-/// Binary STL; the ends are open, as many a scan is.
+/// Binary STL, with z up; the ends are open, as many a scan is.
 function stl({points, triangles}) {
   const bytes = Buffer.alloc(84 + 50 * triangles.length);
   bytes.writeUInt32LE(triangles.length, 80);
-  triangles.forEach((corners, t) => corners.forEach((corner, k) => points[corner].forEach(
-      (number, axis) => bytes.writeFloatLE(number, 84 + 50 * t + 12 + 12 * k + 4 * axis))));
+  triangles.forEach((corners, t) => corners.forEach((corner, k) => {
+    const [x, y, z] = points[corner];
+    [x, -z, y].forEach((number, axis) =>
+        bytes.writeFloatLE(number, 84 + 50 * t + 12 + 12 * k + 4 * axis));
+  }));
   return bytes;
 }
 

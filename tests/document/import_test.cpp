@@ -6,6 +6,7 @@
 #include "document/command.h"
 #include "document/evaluation.h"
 #include "document/history.h"
+#include "document/reference_image.h"
 #include "io/document_json.h"
 #include "io/json.h"
 #include "rig/connect.h"
@@ -238,6 +239,33 @@ TEST_CASE("import: it is written and read to the same bits, with fields nobody k
   CHECK(writeDocument(*bare).find("\"uv\":\"kept\"") != std::string::npos);
 }
 
+TEST_CASE("import: as many models as a drawing takes can be read back, and more are refused",
+          "[import]") {
+  static_assert(3 * kLargestImage + 32 * Document::kMostTriangles < kLargestText);
+  const Mesh ring = torusMesh({}, 100, 30, 240, 200);
+  REQUIRE(ring.triangles.size() == 96'000);
+  const ImportPart import{shared(ring), "Ring"};
+  Document document = must({}, import);
+  const Document twins = must(document, SetMirror{{"part-1"}, Plane{{1, 0, 0}, 300}});
+  while (document.parts.size() < 5) document = must(document, DuplicateParts{{"part-1"}, {}});
+
+  const std::string text = writeDocument(document);
+  const auto read = readDocument(text);
+  REQUIRE(read);
+  CHECK(read->parts.size() == 5);
+
+  const Document mirrored = must(document, SetMirror{{"part-5"}, Plane{{1, 0, 0}, 300}});
+  for (const Command& command : {Command(import), Command(DuplicateParts{{"part-2"}, {}}),
+                                 Command(SeparateTwins{{"part-5"}})}) {
+    const auto refused = apply(mirrored, command);
+    REQUIRE(!refused);
+    CHECK(refused.status() == Status::tooMany);
+    CHECK(refused.message().find("500,000 triangles") != std::string::npos);
+  }
+  CHECK(apply(twins, SeparateTwins{{"part-1"}}));
+  CHECK(apply(mirrored, AddPart{{{0, 0}, {100, 0}, {100, 100}, {0, 100}}}));
+}
+
 TEST_CASE("import: what is no solid is refused, in a command and in a file", "[import]") {
   CHECK(apply({}, ImportPart{nullptr, ""}).status() == Status::notSolid);
   CHECK(apply({}, ImportPart{shared({}), ""}).status() == Status::notSolid);
@@ -279,6 +307,54 @@ TEST_CASE("import: what is no solid is refused, in a command and in a file", "[i
   CHECK_FALSE(reads("triangles", ""));
   CHECK_FALSE(reads("triangles", "AAAAAAAAAAAAAAAA"));
   CHECK_FALSE(reads("triangles", std::string(2'000'000, 'A')));
+}
+
+TEST_CASE("import: a box is shown and written with sharp edges, as it is and as one body",
+          "[import]") {
+  Document document = must({}, ImportPart{shared(boxMesh({-50, -50, -50}, {50, 50, 50})), "Box"});
+  document = must(document, SetMirror{{"part-1"}, Plane{{1, 0, 0}, 300}});
+  Evaluation evaluation;
+  evaluation.update(document);
+  for (const PlacedPart& placed : evaluation.placed()) {
+    const Part& part = *evaluation.parts()[placed.source].shapeOf(placed);
+    CHECK(part.mesh.positions.size() == 8);
+    CHECK(part.shown.vertices.size() == 24);
+    for (size_t i = 0; i < 24; ++i) {
+      // Out of the middle, and along an axis.
+      const Vec3 n = part.shown.normals[i];
+      CHECK(dot(n, part.mesh.positions[part.shown.vertices[i]]) == Approx(50));
+      CHECK(std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}) == Approx(1));
+    }
+  }
+  for (const bool merged : {true, false}) {
+    CharacterOptions options;
+    options.merged = merged;
+    const Character made = makeCharacter(evaluation, options);
+    size_t vertices = 0;
+    for (const SkinnedMesh& mesh : made.meshes) {
+      vertices += mesh.mesh.positions.size();
+      CHECK(mesh.skin.size() == mesh.mesh.positions.size());
+      for (const auto& triangle : mesh.mesh.triangles) {
+        const Vec3 p = mesh.mesh.positions[triangle[0]];
+        const Vec3 face =
+            cross(mesh.mesh.positions[triangle[1]] - p, mesh.mesh.positions[triangle[2]] - p);
+        for (const uint32_t v : triangle) {
+          CHECK(dot(mesh.normals[v], face / length(face)) > 0.999);
+        }
+      }
+    }
+    CHECK(vertices == 48);
+  }
+}
+
+TEST_CASE("import: what is seen edge-on is refused with what to do", "[import]") {
+  for (const Vec3 size : {Vec3{0.01, 300, 300}, Vec3{300, 0.01, 300}, Vec3{1e-9, 300, 1e-9}}) {
+    const auto refused = apply({}, ImportPart{shared(boxMesh({}, size)), "Plate"});
+    REQUIRE(!refused);
+    CHECK(refused.status() == Status::noArea);
+    CHECK(refused.message().find("turn the view") != std::string::npos);
+  }
+  CHECK(apply({}, ImportPart{shared(boxMesh({}, {300, 300, 0.01})), "Plate"}));
 }
 
 TEST_CASE("import: its outline is not to be edited; the step and undoing it have its name",

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "io/document_json.h"
-#include "io/glb.h"
-#include "pose/rigs.h"
+#include "solid/close.h"
 #include "solid/solids.h"
 #include "support/catch.h"
+#include "support/creatures.h"
 #include "support/mesh_files.h"
 
 namespace marrow {
@@ -88,6 +88,21 @@ TEST_CASE("mesh import: a file is known by what it begins with, or by its name",
   CHECK(!meshFormatOf("", ""));
 }
 
+TEST_CASE("mesh import: what is neither a mesh nor a drawing is told which files are",
+          "[mesh_import]") {
+  for (const char* text : {"{}", "", " \n{\"format\"", "\xEF\xBB\xBF{}"}) {
+    CHECK(!unknownFile(text, "drawing.json"));
+  }
+  for (const char* bytes : {"Kaydara FBX Binary  ", "\x89PNG", "v 0 0 0"}) {
+    const auto error = unknownFile(bytes, "thing.fbx");
+    REQUIRE(error);
+    CHECK(error->message().find("GLB, OBJ, PLY or STL") != std::string::npos);
+  }
+  const auto error = unknownFile("{\"asset\": {}}", "thing.glTF");
+  REQUIRE(error);
+  CHECK(error->message().find("as GLB") != std::string::npos);
+}
+
 TEST_CASE("mesh import: OBJ faces of any number of corners, with all ways to name them",
           "[mesh_import]") {
   const std::string box =
@@ -116,6 +131,113 @@ TEST_CASE("mesh import: OBJ faces of any number of corners, with all ways to nam
   CHECK(inspect(*pointed).volume == Approx(area / 64));
 }
 
+TEST_CASE(
+    "mesh import: comments end where their line ends, and a mark of UTF-8 is no part of a word",
+    "[mesh_import]") {
+  const std::string body =
+      "v 0 0 0 # one \\\nv 1 0 0#1\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+      "f 4 3 2 1 # bottom\nf 5 6 7 8 #\nf 1 2 \\\n6 5 # front \\\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 "
+      "8\n";
+  const std::string known = std::string(body).replace(body.find("#1"), 2, "  ");
+  for (const char* start : {"\xEF\xBB\xBF", "# C:\\models\\\n", "#\\\r\n"}) {
+    const auto mesh = imported({"box.obj", start + known});
+    REQUIRE(mesh);
+    CHECK(mesh->triangles.size() == 12);
+    CHECK(inspect(*mesh).volume == Approx(1));
+  }
+  CHECK(refusal({"box.obj", body}).find("three numbers") != std::string::npos);
+
+  std::string ply = textPlyOf(boxMesh({}, {1, 1, 1}));
+  ply.insert(ply.find("element"), "comment C:\\models\\\n");
+  const auto mesh = imported({"box.ply", ply});
+  REQUIRE(mesh);
+  CHECK(mesh->triangles.size() == 12);
+}
+
+TEST_CASE("mesh import: faces of many corners and faces with holes are cut within themselves",
+          "[mesh_import]") {
+  // The prism over a polygon whose first corner is a reflex one.
+  const auto prism = [](const std::vector<Vec2>& outline) {
+    std::string text;
+    const size_t n = outline.size();
+    for (const double z : {0., 1.}) {
+      for (const Vec2 p : outline) text += "v " + numbersOf({p.x, p.y, z}) + '\n';
+    }
+    text += 'f';
+    for (size_t i = n; i > 0; --i) text += ' ' + std::to_string(i);
+    text += "\nf";
+    for (size_t i = 1; i <= n; ++i) text += ' ' + std::to_string(n + i);
+    text += '\n';
+    for (size_t i = 0; i < n; ++i) {
+      text += 'f';
+      for (const size_t corner : {i, (i + 1) % n, n + (i + 1) % n, n + i}) {
+        text += ' ' + std::to_string(corner + 1);
+      }
+      text += '\n';
+    }
+    return text;
+  };
+  for (const int points : {8, 20, 60, 600}) {
+    CAPTURE(points);
+    std::vector<Vec2> star = unitCircle(2 * points);
+    double area = 0;
+    for (size_t i = 0; i < star.size(); ++i) star[i] = star[i] * (i % 2 ? 3. : 1.);
+    for (size_t i = 0; i < star.size(); ++i) {
+      area += 0.5 * cross(star[i], star[(i + 1) % star.size()]);
+    }
+    const auto mesh = importMesh(prism(star), MeshFormat::obj);
+    REQUIRE(mesh);
+    const double height = boxAround(*mesh).size().z;
+    CHECK(inspect(*mesh).volume == Approx(area * height * height * height));
+    CHECK_FALSE(crossesItself(*mesh));
+  }
+
+  std::string ring;
+  for (const char* z : {" 0\n", " 1\n"}) {
+    for (const char* xy : {"0 0", "4 0", "4 4", "0 4", "1 1", "3 1", "3 3", "1 3"}) {
+      ring += std::string("v ") + xy + z;
+    }
+  }
+  ring += "f 9 10 11 12 9 13 16 15 14 13\nf 1 5 6 7 8 5 1 4 3 2\n";
+  for (const auto& [from, turn] : {std::pair<int, int>{1, 1}, {5, 3}}) {
+    for (int i = 0; i < 4; ++i) {
+      const int a = from + turn * i % 4, b = from + turn * (i + 1) % 4;
+      ring += 'f';
+      for (const int corner : {a, b, b + 8, a + 8}) ring += ' ' + std::to_string(corner);
+      ring += '\n';
+    }
+  }
+  const auto mesh = importMesh(ring, MeshFormat::obj);
+  REQUIRE(mesh);
+  CHECK(inspect(*mesh).volume == Approx(12. / 64));
+  CHECK_FALSE(crossesItself(*mesh));
+}
+
+TEST_CASE(
+    "mesh import: STL has z up; whatever its name is, text is read as text and bytes as bytes",
+    "[mesh_import]") {
+  const Mesh box = boxMesh({0, 0, 0}, {1, 2, 3});
+  const std::string facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 "
+      "3\nendloop\nendfacet\n";
+  for (const char* name : {"", " my vertex thing", " vertex 1 2", " # 1"}) {
+    const auto mesh =
+        readMesh(std::string("solid") + name + "\n" + facet + "endsolid" + name, MeshFormat::stl);
+    REQUIRE(mesh);
+    REQUIRE(mesh->positions.size() == 3);
+    CHECK(mesh->positions[2] == Vec3{0, 3, -2});
+  }
+  std::string padded = stlOf(box);
+  padded.replace(0, 6, "solid ");
+  for (int i = 0; i < 3; ++i) {
+    const auto mesh = readMesh(padded, MeshFormat::stl);
+    REQUIRE(mesh);
+    CHECK(mesh->triangles.size() == 12);
+    CHECK(boxAround(*mesh).high == Vec3{1, 2, 3});  // as it was before it was written
+    padded += '\n';
+  }
+}
+
 TEST_CASE("mesh import: numbers of text are the nearest doubles", "[mesh_import]") {
   const std::vector<std::pair<std::string, double>> known{
       {"0.1", 0.1},
@@ -138,64 +260,6 @@ TEST_CASE("mesh import: numbers of text are the nearest doubles", "[mesh_import]
     CAPTURE(text);
     CHECK(!readMesh(std::string("v 0 0 ") + text + "\n", MeshFormat::obj));
   }
-}
-
-TEST_CASE("mesh import: nodes of a GLB place its meshes, and every way to draw triangles counts",
-          "[mesh_import]") {
-  const Mesh box = boxMesh({0, 0, 0}, {1, 1, 1});
-  const auto flat = importMesh(glbOf(box, "\"scale\": [1, 0.5, -2], "), MeshFormat::glb);
-  REQUIRE(flat);
-  CHECK(inspect(*flat).volume == Approx(1. / 8));
-  const auto moved = readMesh(
-      glbOf(box, "\"rotation\": [0, 0, 1, 1], \"translation\": [10, 0, 0], "), MeshFormat::glb);
-  REQUIRE(moved);
-  CHECK(length(boxAround(*moved).middle() - Vec3{9.5, 0.5, 0.5}) < 1e-12);
-  const auto by_matrix =
-      readMesh(glbOf(box, "\"matrix\": [2,0,0,0, 0,2,0,0, 0,0,2,0, 1,2,3,1], "), MeshFormat::glb);
-  REQUIRE(by_matrix);
-  CHECK(length(boxAround(*by_matrix).middle() - Vec3{2, 3, 4}) < 1e-12);
-
-  // A tetrahedron as a strip, its vertices as bytes from −1 to 1.
-  std::string binary;
-  for (const int number :
-       {127, 127, 127, 0, -127, -127, 127, 0, -127, 127, -127, 0, 127, -127, -127, 0}) {
-    append(binary, static_cast<int8_t>(number));
-  }
-  for (const int name : {0, 1, 2, 3, 0, 1}) append(binary, static_cast<uint8_t>(name));
-  const auto strip =
-      readMesh(glbOf(
-                   R"({"scenes":[{"nodes":[0]}],"nodes":[{"children":[1]},{"mesh":0}],
-"meshes":[{"primitives":[{"mode":5,"attributes":{"POSITION":0},"indices":1}]}],"buffers":[{}],
-"bufferViews":[{"buffer":0,"byteLength":16,"byteStride":4},
-{"buffer":0,"byteOffset":16,"byteLength":6}],
-"accessors":[{"bufferView":0,"type":"VEC3","componentType":5120,"normalized":true,"count":4},
-{"bufferView":1,"type":"SCALAR","componentType":5121,"count":6}]})",
-                   binary),
-               MeshFormat::glb);
-  REQUIRE(strip);
-  const MeshReport report = inspect(*strip);
-  CHECK(report.closed);
-  CHECK(report.manifold);
-  CHECK(std::abs(report.volume) == Approx(8. / 3));
-}
-
-TEST_CASE("mesh import: a character that was exported comes back as one solid at rest",
-          "[mesh_import]") {
-  Random random(5);
-  const Rig rig = randomRig(random, 9);
-  SkinnedMesh body = skinnedMesh(sphereMesh({50, 20, 10}, 30, 3));
-  body.skin.resize(body.mesh.positions.size());
-  for (VertexSkin& skin : body.skin) skin.weights = {1, 0, 0, 0};
-  const auto bytes =
-      toGlb({"Ball", rig, {body}, {{"Paint", {}, {}}}, {}, "{\"format\": \"marrow\"}"});
-  REQUIRE(bytes);
-  const auto mesh = readMesh(*bytes, MeshFormat::glb);
-  REQUIRE(mesh);
-  CHECK(length(boxAround(*mesh).middle() - Vec3{0.5, 0.2, 0.1}) < 1e-6);
-  CHECK(importMesh(*bytes, MeshFormat::glb));
-  CHECK(documentInGlb(*bytes) == "{\"format\": \"marrow\"}");
-  CHECK(!documentInGlb(glbOf(boxMesh({}, {1, 1, 1}))));
-  CHECK(!documentInGlb("glTF"));
 }
 
 TEST_CASE("mesh import: what is no such file is refused in one sentence", "[mesh_import]") {
@@ -251,6 +315,10 @@ TEST_CASE("mesh import: counts that the bytes do not bear cost nothing", "[mesh_
                        "ply\nformat ascii 1.0\nelement thing 4000000000\nproperty float "
                        "x\nend_header\n"})
                   .empty());
+  std::string often = "ply\nformat binary_little_endian 1.0\n";
+  for (int i = 0; i < 3; ++i) often += "element vertex 250000\nproperty uchar x\n";
+  often += "end_header\n" + std::string(750'000, '\0');
+  CHECK(readMesh(often, MeshFormat::ply).status() == Status::tooMany);
   CHECK(importMesh("ply\nformat ascii 1.0\nelement vertex 600000\nend_header\n", MeshFormat::ply)
             .status() == Status::notSolid);
   for (const char* count : {"9007199254740991", "1e300", "-1", "0.5", "4294967296"}) {

@@ -1,6 +1,7 @@
 #include "solid/close.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "solid/solids.h"
 #include "support/catch.h"
@@ -154,6 +155,100 @@ TEST_CASE("close: flat holes of any shape and small ones get caps", "[close]") {
   checkSolid(*fine);
 }
 
+TEST_CASE("close: a corner on another's edge is no hole, however long the edge is", "[close]") {
+  // One face is a grid, the corners of which lie on the edges of the others.
+  for (const int steps : {2, 3, 90}) {
+    const Mesh grid = gridBoxMesh({0, 0, 0}, {1, 2, 3}, steps);
+    const Mesh plain = boxMesh({0, 0, 0}, {1, 2, 3});
+    for (const bool seamed : {false, true}) {
+      const Mesh mixed = together(without(grid, [](Vec3 p) { return p.x < 1e-9; }),
+                                  without(plain, [](Vec3 p) { return p.x > 1e-9; }));
+      const auto closed = closeSurface(seamed ? apart(mixed) : mixed);
+      REQUIRE(closed);
+      CHECK(validate(*closed).empty());
+      CHECK(volumeOf(*closed) == Approx(6));
+      CHECK(piecesOf(*closed).size() == 1);
+      CHECK_FALSE(crossesItself(*closed));
+    }
+  }
+  Mesh box = boxMesh({0, 0, 0}, {1, 1, 1});
+  box.triangles[1] = {0, 3, 8};
+  box.triangles.push_back({8, 3, 1});
+  box.positions.push_back({0.5, 0, 0});
+  const auto closed = closeSurface(box);
+  REQUIRE(closed);
+  CHECK(validate(*closed).empty());
+  CHECK(volumeOf(*closed) == Approx(1));
+}
+
+TEST_CASE("close: vertices that no triangle uses count for nothing", "[close]") {
+  Random random(4);
+  Mesh loose = apart(sphereMesh({}, 1, 3));
+  for (Vec3& p : loose.positions) {
+    p = p + Vec3{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)} * 1e-7;
+  }
+  const auto known = closeSurface(loose);
+  REQUIRE(known);
+  for (const Vec3 far : {Vec3{1e6, 0, 0}, Vec3{1e300, -1e300, 0},
+                         Vec3{std::numeric_limits<double>::quiet_NaN(), 0, 0}}) {
+    Mesh more = loose;
+    more.positions.push_back(far);
+    const auto closed = closeSurface(more);
+    REQUIRE(closed);
+    CHECK(closed->positions == known->positions);
+    CHECK(closed->triangles == known->triangles);
+  }
+}
+
+TEST_CASE("close: holes that meet at corners get a cap each", "[close]") {
+  // Of a grid of squares on top of a box some along the diagonal are missing, or larger ones.
+  const Mesh box = gridBoxMesh({0, 0, 0}, {1, 1, 1}, 8);
+  const auto holed = [&](int field) {
+    return without(box, [&](Vec3 p) {
+      if (p.z < 1 - 1e-9) return true;
+      const int i = static_cast<int>(p.x * 8) / field, k = static_cast<int>(p.y * 8) / field;
+      const bool inside = field > 2 || (p.x > 0.25 && p.x < 0.75 && p.y > 0.25 && p.y < 0.75);
+      return !inside || i != k;
+    });
+  };
+  for (const int field : {1, 2, 4}) {
+    for (const bool seamed : {false, true}) {
+      CAPTURE(field, seamed);
+      const Mesh mesh = holed(field);
+      REQUIRE(mesh.triangles.size() < box.triangles.size());
+      const auto closed = closeSurface(seamed ? apart(mesh) : mesh);
+      REQUIRE(closed);
+      CHECK(validate(*closed).empty());
+      CHECK(volumeOf(*closed) == Approx(1));
+      CHECK_FALSE(crossesItself(*closed));
+    }
+  }
+}
+
+TEST_CASE("close: pieces that cannot be closed are left out where the rest is the model",
+          "[close]") {
+  // Half a tube, open and bent.
+  const Mesh card = without(torusMesh({3, 0, 0}, 1, 0.3, 20, 12), [](Vec3 p) { return p.y > 0; });
+  const Mesh open = without(card, [](Vec3 p) { return p.z > 0; });
+  const Mesh ball = sphereMesh({}, 1, 3);
+  CHECK(!closeSurface(together(ball, open)));
+  for (const bool seamed : {false, true}) {
+    const Mesh both = together(ball, open);
+    const auto closed = closeMost(seamed ? apart(both) : both);
+    REQUIRE(closed);
+    CHECK(closed->left_out == 1);
+    CHECK(closed->mesh.triangles.size() == ball.triangles.size());
+    CHECK(volumeOf(closed->mesh) == Approx(volumeOf(ball)));
+  }
+  const auto whole = closeMost(ball);
+  REQUIRE(whole);
+  CHECK(whole->left_out == 0);
+  // Its eyes are not what somebody wants of a head.
+  const auto eyes = closeMost(together(sphereMesh({3, 0, 0}, 0.1, 2), open));
+  REQUIRE(!eyes);
+  CHECK(eyes.message() == closeSurface(open).message());
+}
+
 TEST_CASE("close: what cannot be closed is refused with the reason", "[close]") {
   // The corner of a room: three squares.
   Mesh corner = boxMesh({0, 0, 0}, {1, 1, 1});
@@ -202,6 +297,30 @@ TEST_CASE("close: solids that touch at corners, edges or faces stay solids", "[c
     CHECK(volumeOf(*both) == Approx(2));
     CHECK(piecesOf(*both).size() == 2);
   }
+  // The same of loose triangles, where the file does not say what belongs together.
+  for (const Vec3 away : {Vec3{1, 1, 0}, Vec3{0, -1, 1}, Vec3{1, 0.5, 0.25}}) {
+    Mesh assembly = together(box, boxMesh(away, away + Vec3{1, 1, 1}));
+    for (auto& triangle : assembly.triangles) {
+      std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
+    }
+    const auto both = closeSurface(apart(assembly));
+    REQUIRE(both);
+    checkSolid(*both);
+    CHECK(volumeOf(*both) == Approx(2));
+    CHECK(piecesOf(*both).size() == 2);
+    CHECK_FALSE(crossesItself(*both));
+  }
+  // A face that both have, cut along either diagonal.
+  Mesh other = boxMesh({1, 0, 0}, {2, 1, 1});
+  for (auto& triangle : other.triangles) {
+    if (triangle == std::array<uint32_t, 3>{0, 4, 6}) triangle = {0, 4, 2};
+    if (triangle == std::array<uint32_t, 3>{0, 6, 2}) triangle = {4, 6, 2};
+  }
+  const auto adjacent = closeSurface(apart(together(box, other)));
+  REQUIRE(adjacent);
+  checkSolid(*adjacent);
+  CHECK(volumeOf(*adjacent) == Approx(2));
+  CHECK(piecesOf(*adjacent).size() == 2);
   // Loose triangles that meet in one corner.
   const auto loose = closeSurface(apart(together(box, boxMesh({1, 1, 1}, {2, 2, 2}))));
   REQUIRE(loose);

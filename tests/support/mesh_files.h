@@ -35,7 +35,8 @@ inline std::string textStlOf(const Mesh& mesh) {
   for (const auto& triangle : mesh.triangles) {
     text += "facet normal 0 0 0\n outer loop\n";
     for (const uint32_t corner : triangle) {
-      text += "  vertex " + numbersOf(mesh.positions[corner]) + '\n';
+      const Vec3 p = mesh.positions[corner];
+      text += "  vertex " + numbersOf({p.x, -p.z, p.y}) + '\n';  // z is up in STL
     }
     text += " endloop\nendfacet\n";
   }

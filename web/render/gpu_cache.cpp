@@ -40,11 +40,12 @@ GpuMesh makeMesh() {
 
 /// The bytes of the vertices, as bindLayout has them.
 std::vector<float> verticesOf(const Part& part, Vec3 origin) {
+  const std::vector<Vec3>& normals = part.imported ? part.shown.normals : part.normals;
   std::vector<float> vertices;
-  vertices.reserve(part.mesh.positions.size() * 6);
-  for (size_t i = 0; i < part.mesh.positions.size(); ++i) {
-    const Vec3 p = part.mesh.positions[i] - origin;
-    const Vec3 n = part.normals[i];
+  vertices.reserve(normals.size() * 6);
+  for (size_t i = 0; i < normals.size(); ++i) {
+    const Vec3 p = part.mesh.positions[part.imported ? part.shown.vertices[i] : i] - origin;
+    const Vec3 n = normals[i];
     for (const double value : {p.x, p.y, p.z, n.x, n.y, n.z}) {
       vertices.push_back(static_cast<float>(value));
     }
@@ -60,8 +61,14 @@ Vec3 originOf(const Part& part) {
 }
 Vec3 originOf(const Figure& figure) { return figure.origin; }
 
-const auto& trianglesOf(const Part& part) { return part.mesh.triangles; }
+const auto& trianglesOf(const Part& part) {
+  return part.imported ? part.shown.triangles : part.mesh.triangles;
+}
 const auto& trianglesOf(const Figure& figure) { return figure.triangles; }
+
+/// Those that tell which sides are the same edge.
+const auto& surfaceOf(const Part& part) { return part.mesh.triangles; }
+const auto& surfaceOf(const Figure& figure) { return figure.triangles; }
 
 template <typename T>
 void upload(GLenum target, const std::vector<T>& items) {
@@ -87,12 +94,14 @@ template <typename Source>
 void fillEdges(GpuMesh& gpu, const Source& source) {
   std::vector<uint32_t> lines;
   lines.reserve(trianglesOf(source).size() * 3);
-  for (const auto& triangle : trianglesOf(source)) {
+  for (size_t t = 0; t < trianglesOf(source).size(); ++t) {
+    const auto& triangle = trianglesOf(source)[t];
+    const auto& vertices = surfaceOf(source)[t];
     for (size_t k = 0; k < 3; ++k) {
-      const uint32_t a = triangle[k], b = triangle[(k + 1) % 3];
-      if (a < b) {  // the triangle on the other side has it the other way round
-        lines.push_back(a);
-        lines.push_back(b);
+      // The triangle on the other side has it the other way round.
+      if (vertices[k] < vertices[(k + 1) % 3]) {
+        lines.push_back(triangle[k]);
+        lines.push_back(triangle[(k + 1) % 3]);
       }
     }
   }

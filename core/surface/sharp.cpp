@@ -1,0 +1,107 @@
+#include "surface/sharp.h"
+
+#include <algorithm>
+
+#include "base/sets.h"
+
+namespace marrow {
+namespace {
+
+constexpr double kSharp = 0.766;      // cosine of 40°
+constexpr double kSameNormal = 1e-6;  // 1 − cosine; closer ones share a vertex
+constexpr uint32_t kNone = ~0u;
+
+struct Edge {
+  uint32_t low, high;
+  uint32_t side;  // 3 × triangle + the corner where it begins
+};
+
+uint32_t next(uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
+
+/// Corners of triangles that share a normal.
+Sets smoothFans(const Mesh& mesh, const std::vector<Vec3>& faces) {
+  std::vector<Edge> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (uint32_t side = 0; side < 3 * mesh.triangles.size(); ++side) {
+    const auto& triangle = mesh.triangles[side / 3];
+    const auto [low, high] = std::minmax(triangle[side % 3], triangle[(side + 1) % 3]);
+    edges.push_back({low, high, side});
+  }
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    if (a.low != b.low) return a.low < b.low;
+    return a.high != b.high ? a.high < b.high : a.side < b.side;
+  });
+  Sets fans(edges.size());
+  for (size_t i = 1; i < edges.size(); ++i) {
+    const Edge &one = edges[i - 1], &other = edges[i];
+    if (one.low != other.low || one.high != other.high) continue;
+    const Vec3 a = faces[one.side / 3], b = faces[other.side / 3];
+    const bool flat = dot(a, a) == 0 || dot(b, b) == 0;  // without area: no direction to turn from
+    if (!flat && dot(a, b) < kSharp) continue;
+    fans.join(one.side, next(other.side));
+    fans.join(next(one.side), other.side);
+  }
+  return fans;
+}
+
+}  // namespace
+
+std::vector<std::array<Vec3, 3>> cornerNormals(const Mesh& mesh) {
+  std::vector<Vec3> faces;
+  for (const auto& [i, j, k] : mesh.triangles) {
+    const Vec3 a = mesh.positions[i];
+    const Vec3 face = cross(mesh.positions[j] - a, mesh.positions[k] - a);
+    const double size = length(face);
+    faces.push_back(size > 0 ? face / size : Vec3{});
+  }
+  Sets fans = smoothFans(mesh, faces);
+  // The normals of a mesh whose vertices are those fans.
+  Mesh split;
+  std::vector<uint32_t> index(3 * mesh.triangles.size(), kNone);
+  for (uint32_t corner = 0; corner < index.size(); ++corner) {
+    if (corner % 3 == 0) split.triangles.emplace_back();
+    uint32_t& number = index[fans.find(corner)];
+    if (number == kNone) {
+      number = static_cast<uint32_t>(split.positions.size());
+      split.positions.push_back(mesh.positions[mesh.triangles[corner / 3][corner % 3]]);
+    }
+    split.triangles.back()[corner % 3] = number;
+  }
+  const std::vector<Vec3> normals = vertexNormals(split);
+  std::vector<std::array<Vec3, 3>> found;
+  found.reserve(mesh.triangles.size());
+  for (const auto& [a, b, c] : split.triangles)
+    found.push_back({normals[a], normals[b], normals[c]});
+  return found;
+}
+
+SplitVertices splitByNormals(const Mesh& mesh,
+                             const std::vector<std::array<Vec3, 3>>& corner_normals) {
+  SplitVertices split;
+  std::vector<uint32_t> first(mesh.positions.size(), kNone);  // copy of each vertex
+  std::vector<uint32_t> after;                                // each copy, another one
+  for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::array<uint32_t, 3> corners;
+    for (size_t k = 0; k < 3; ++k) {
+      const uint32_t vertex = mesh.triangles[t][k];
+      const Vec3 normal = corner_normals[t][k];
+      uint32_t copy = first[vertex], last = kNone;
+      while (copy != kNone && !(dot(split.normals[copy], normal) > 1 - kSameNormal)) {
+        last = copy;
+        copy = after[copy];
+      }
+      if (copy == kNone) {
+        copy = static_cast<uint32_t>(split.vertices.size());
+        (last == kNone ? first[vertex] : after[last]) = copy;
+        split.vertices.push_back(vertex);
+        split.normals.push_back(normal);
+        after.push_back(kNone);
+      }
+      corners[k] = copy;
+    }
+    split.triangles.push_back(corners);
+  }
+  return split;
+}
+
+}  // namespace marrow
