@@ -70,7 +70,11 @@ TEST_CASE("figure: a guess comes first, then the weights, of the same mesh and j
     CHECK(findPlaced(evaluation.placed(), stretch.part));
   }
   CHECK(next == figure.triangles.size());
+  std::map<std::array<float, 3>, std::array<float, 3>> hulls;  // by the vertex's place
   for (const Figure::Vertex& vertex : figure.vertices) {
+    if (hulls.try_emplace(vertex.position, vertex.hull).first->second != vertex.hull) {
+      FAIL("the outline has a gap");
+    }
     float sum = 0;
     for (size_t k = 0; k < vertex.weights.size(); ++k) {
       sum += vertex.weights[k];
