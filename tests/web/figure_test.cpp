@@ -1,6 +1,9 @@
 // What pose mode shows: the figure, the bytes it travels in, and when another one is asked for.
 #include "figure/figure.h"
 
+#include <array>
+#include <map>
+
 #include "document/command.h"
 #include "figure/figure_keeper.h"
 #include "figure/workshop.h"
