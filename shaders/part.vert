@@ -3,6 +3,7 @@
 #include "skin.glsl"
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
+layout(location = 4) in vec3 a_hull;  // the same in all copies of a vertex, so that no gap opens
 
 uniform mat3 u_rotation;     // part → view
 uniform float u_size;        // model units per unit of the part
@@ -15,7 +16,7 @@ out vec3 v_normal;  // view space
 out vec3 v_joint_color;
 
 void main() {
-  vec3 position = a_position, normal = a_normal;
+  vec3 position = a_position, normal = u_outline_px > 0.0 ? a_hull : a_normal;
   follow(position, normal);
   v_joint_color = u_skinning == 0 ? vec3(0.0) : jointColor();
   v_normal = u_rotation * normal;

@@ -21,8 +21,8 @@ struct AddPart {
   std::optional<Plane> mirror = {};
 };
 /// A part that is a mesh (PartSource::mesh), with the skeleton of its silhouette in the frame's
-/// plane. Errors: notSolid for one that is none, noArea, also where it has no breadth in that plane;
-/// tooMany.
+/// plane. Errors: notSolid for one that is none, noArea, also where it has no breadth in that
+/// plane; tooMany.
 struct ImportPart {
   std::shared_ptr<const Mesh> mesh;  // in the frame; not null
   std::string name;                  // of the part; empty: by its number

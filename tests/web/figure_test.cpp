@@ -1,6 +1,9 @@
 // What pose mode shows: the figure, the bytes it travels in, and when another one is asked for.
 #include "figure/figure.h"
 
+#include <array>
+#include <map>
+
 #include "document/command.h"
 #include "figure/figure_keeper.h"
 #include "figure/workshop.h"
@@ -72,7 +75,11 @@ TEST_CASE("figure: a guess comes first, then the weights, of the same mesh and j
     CHECK(findPlaced(evaluation.placed(), stretch.part));
   }
   CHECK(next == figure.triangles.size());
+  std::map<std::array<float, 3>, std::array<float, 3>> hulls;  // by the vertex's place
   for (const Figure::Vertex& vertex : figure.vertices) {
+    if (hulls.try_emplace(vertex.position, vertex.hull).first->second != vertex.hull) {
+      FAIL("the outline has a gap");
+    }
     float sum = 0;
     for (size_t k = 0; k < vertex.weights.size(); ++k) {
       sum += vertex.weights[k];

@@ -117,9 +117,14 @@ Result<Figure> figureOf(const Character& character, const Evaluation& evaluation
   Figure figure;
   figure.origin = mesh.mesh.positions.empty() ? Vec3{} : mesh.mesh.positions.front();
   figure.vertices.resize(mesh.mesh.positions.size());
+  const std::vector<Vec3> hull = vertexNormals(character.merged.mesh);
   for (size_t i = 0; i < figure.vertices.size(); ++i) {
     Figure::Vertex& vertex = figure.vertices[i];
-    vertex = {toFloats(mesh.mesh.positions[i] - figure.origin), toFloats(mesh.normals[i]), {}, {}};
+    vertex = {toFloats(mesh.mesh.positions[i] - figure.origin),
+              toFloats(mesh.normals[i]),
+              {},
+              {},
+              toFloats(hull[mesh.merged_vertex[i]])};
     if (mesh.skin.empty()) continue;
     for (size_t k = 0; k < VertexSkin::kMost; ++k) {
       vertex.weights[k] = static_cast<float>(mesh.skin[i].weights[k]);

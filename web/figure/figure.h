@@ -17,6 +17,8 @@ struct Figure {
     std::array<float, 3> position, normal;
     std::array<float, VertexSkin::kMost> weights;  // sum 1; all 0: it follows nothing
     std::array<uint16_t, VertexSkin::kMost> joints;
+    std::array<float, 3>
+        hull;  // the normal of the smooth surface, the same where a vertex is doubled
   };
   struct Joint {
     std::string id;

@@ -12,11 +12,16 @@ constexpr uint64_t kFramesKept = 8;
 
 const void* at(size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
-void bindLayout(const Part*) {
-  const GLsizei stride = 6 * sizeof(float);
+/// Floats of a vertex: position, normal, and where that is another one the hull's.
+size_t floatsOf(const Part& part) { return part.imported ? 9 : 6; }
+
+void bindLayout(const Part* part) {
+  const size_t size = floatsOf(*part);
+  const auto stride = static_cast<GLsizei>(size * sizeof(float));
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, nullptr);
   glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, at(3 * sizeof(float)));
-  for (const GLuint location : {0u, 1u}) glEnableVertexAttribArray(location);
+  glVertexAttribPointer(4, 3, GL_FLOAT, GL_FALSE, stride, at((size - 3) * sizeof(float)));
+  for (const GLuint location : {0u, 1u, 4u}) glEnableVertexAttribArray(location);
   for (const GLuint location : {2u, 3u}) glDisableVertexAttribArray(location);
 }
 
@@ -27,7 +32,8 @@ void bindLayout(const Figure*) {
   glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, at(offsetof(Vertex, normal)));
   glVertexAttribPointer(2, 4, GL_FLOAT, GL_FALSE, stride, at(offsetof(Vertex, weights)));
   glVertexAttribPointer(3, 4, GL_UNSIGNED_SHORT, GL_FALSE, stride, at(offsetof(Vertex, joints)));
-  for (const GLuint location : {0u, 1u, 2u, 3u}) glEnableVertexAttribArray(location);
+  glVertexAttribPointer(4, 3, GL_FLOAT, GL_FALSE, stride, at(offsetof(Vertex, hull)));
+  for (const GLuint location : {0u, 1u, 2u, 3u, 4u}) glEnableVertexAttribArray(location);
 }
 
 GpuMesh makeMesh() {
@@ -40,15 +46,17 @@ GpuMesh makeMesh() {
 
 /// The bytes of the vertices, as bindLayout has them.
 std::vector<float> verticesOf(const Part& part, Vec3 origin) {
-  const std::vector<Vec3>& normals = part.imported ? part.shown.normals : part.normals;
   std::vector<float> vertices;
-  vertices.reserve(normals.size() * 6);
-  for (size_t i = 0; i < normals.size(); ++i) {
-    const Vec3 p = part.mesh.positions[part.imported ? part.shown.vertices[i] : i] - origin;
-    const Vec3 n = normals[i];
-    for (const double value : {p.x, p.y, p.z, n.x, n.y, n.z}) {
-      vertices.push_back(static_cast<float>(value));
-    }
+  const auto put = [&](Vec3 v) {
+    for (const double value : {v.x, v.y, v.z}) vertices.push_back(static_cast<float>(value));
+  };
+  const size_t count = part.imported ? part.shown.vertices.size() : part.mesh.positions.size();
+  vertices.reserve(count * floatsOf(part));
+  for (size_t i = 0; i < count; ++i) {
+    const size_t vertex = part.imported ? part.shown.vertices[i] : i;
+    put(part.mesh.positions[vertex] - origin);
+    if (part.imported) put(part.shown.normals[i]);
+    put(part.normals[vertex]);
   }
   return vertices;
 }

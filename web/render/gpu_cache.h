@@ -12,7 +12,8 @@
 namespace marrow {
 
 struct GpuMesh {
-  /// Location 0: position from the origin below, 1: normal; of figures also 2: weights, 3: joints.
+  /// Location 0: position from the origin below, 1: normal, 4: the hull's, smooth also at sharp
+  /// edges; of figures also 2: weights, 3: joints.
   GlVertexArray vertex_array;
   GlBuffer vertices, triangles;
   GlVertexArray edge_array;  // the same vertices, with every edge once as a line
