@@ -304,7 +304,12 @@ Result<Mesh> closeAll(const Mesh& surface, double size) {
       auto mesh = closing.run(fills);
       if (!mesh) {
         error = mesh.error();
-      } else if (flipSlivers(*mesh) == 0) {
+        continue;
+      }
+      const size_t slivers = flipSlivers(*mesh);
+      if (!(inspect(*mesh).volume > 0)) {  // of needles little is left
+        error = notSolid("It encloses nothing.");
+      } else if (slivers == 0) {
         return mesh;
       } else if (!with_slivers) {
         with_slivers = std::move(*mesh);

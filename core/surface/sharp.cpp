@@ -1,6 +1,7 @@
 #include "surface/sharp.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/sets.h"
 
@@ -11,35 +12,38 @@ constexpr double kSharp = 0.766;      // cosine of 40°
 constexpr double kSameNormal = 1e-6;  // 1 − cosine; closer ones share a vertex
 constexpr uint32_t kNone = ~0u;
 
-struct Edge {
-  uint32_t low, high;
-  uint32_t side;  // 3 × triangle + the corner where it begins
-};
-
 uint32_t next(uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
 
 /// Corners of triangles that share a normal.
 Sets smoothFans(const Mesh& mesh, const std::vector<Vec3>& faces) {
-  std::vector<Edge> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (uint32_t side = 0; side < 3 * mesh.triangles.size(); ++side) {
-    const auto& triangle = mesh.triangles[side / 3];
-    const auto [low, high] = std::minmax(triangle[side % 3], triangle[(side + 1) % 3]);
-    edges.push_back({low, high, side});
-  }
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-    if (a.low != b.low) return a.low < b.low;
-    return a.high != b.high ? a.high < b.high : a.side < b.side;
-  });
-  Sets fans(edges.size());
-  for (size_t i = 1; i < edges.size(); ++i) {
-    const Edge &one = edges[i - 1], &other = edges[i];
-    if (one.low != other.low || one.high != other.high) continue;
-    const Vec3 a = faces[one.side / 3], b = faces[other.side / 3];
-    const bool flat = dot(a, a) == 0 || dot(b, b) == 0;  // without area: no direction to turn from
-    if (!flat && dot(a, b) < kSharp) continue;
-    fans.join(one.side, next(other.side));
-    fans.join(next(one.side), other.side);
+  // The other vertex of each side and its number, by the lower vertex.
+  std::vector<size_t> end(mesh.positions.size() + 1, 0);
+  const auto eachSide = [&](const auto& visit) {
+    for (uint32_t side = 0; side < 3 * mesh.triangles.size(); ++side) {
+      const auto& triangle = mesh.triangles[side / 3];
+      const auto [low, high] = std::minmax(triangle[side % 3], triangle[(side + 1) % 3]);
+      visit(low, high, side);
+    }
+  };
+  eachSide([&](uint32_t low, uint32_t, uint32_t) { ++end[low + 1]; });
+  for (size_t v = 0; v + 1 < end.size(); ++v) end[v + 1] += end[v];
+  std::vector<std::pair<uint32_t, uint32_t>> sides(3 * mesh.triangles.size());
+  eachSide([&](uint32_t low, uint32_t high, uint32_t side) { sides[end[low]++] = {high, side}; });
+
+  Sets fans(sides.size());
+  for (size_t v = 0, begin = 0; v < mesh.positions.size(); begin = end[v++]) {
+    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin),
+              sides.begin() + static_cast<std::ptrdiff_t>(end[v]));
+    for (size_t i = begin + 1; i < end[v]; ++i) {
+      const auto [high, one] = sides[i - 1];
+      const auto [other_high, other] = sides[i];
+      if (high != other_high) continue;
+      const Vec3 a = faces[one / 3], b = faces[other / 3];
+      const bool flat = dot(a, a) == 0 || dot(b, b) == 0;  // without area there is no turn to see
+      if (!flat && dot(a, b) < kSharp) continue;
+      fans.join(one, next(other));
+      fans.join(next(one), other);
+    }
   }
   return fans;
 }

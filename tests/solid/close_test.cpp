@@ -376,6 +376,22 @@ TEST_CASE("close: triangles without area are flipped away, wherever corners lie 
   }
 }
 
+TEST_CASE("close: what is left of twisted needles has a volume", "[close]") {
+  Random random(9);
+  int closed_count = 0;
+  for (int run = 0; run < 200; ++run) {
+    Mesh needle = boxMesh({0, 0, 0}, {1e-6, 1e-6, 1});
+    for (Vec3& p : needle.positions) {
+      if (random.below(2)) p.z = random.below(2);
+    }
+    const auto closed = closeSurface(needle);
+    if (!closed) continue;
+    ++closed_count;
+    checkSolid(*closed);
+  }
+  CHECK(closed_count > 100);
+}
+
 TEST_CASE("close: a piece that crosses itself is told from two that cross each other", "[close]") {
   const Mesh box = boxMesh({0, 0, 0}, {2, 2, 2});
   CHECK_FALSE(crossesItself(together(box, boxMesh({1, 1, 1}, {3, 3, 3}))));
