@@ -175,6 +175,7 @@ struct UiState {
   std::string file_path;          // typed where the platform has no dialogs
   bool file_path_edited = false;  // else it follows the drawing's name
   PointerKind last_pointer = PointerKind::mouse;
+  double pressed_ms = 0;  // when a button or a finger went down last
 
   /// Phones, held upright or across: panels become bars and sheets.
   bool narrow() const { return size.width < 700 || size.height < 480; }

@@ -265,7 +265,7 @@ class ExportPanel {
     }
   }
 
-  bool isMeant() const { return ui_.now_ms - exporting_.since_ms > kDoubleClick_ms; }
+  bool isMeant() const { return ui_.pressed_ms - exporting_.since_ms > kDoubleClick_ms; }
 
   static std::string leaf(const std::string& path) {
     return path.substr(path.find_last_of('/') + 1);

@@ -64,6 +64,7 @@ Tools::Owner Tools::ownerOfTouch(const PointerEvent& event) {
 Tools::Outcome Tools::down(const PointerEvent& event, UiState& ui, const Surroundings& around) {
   Outcome outcome;
   ui.last_pointer = event.kind;
+  ui.pressed_ms = event.time_ms;
   const bool panel_is_held = std::any_of(owners_.begin(), owners_.end(), [](const auto& entry) {
     return entry.second == Owner::panel;
   });
