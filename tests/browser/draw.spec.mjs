@@ -133,7 +133,10 @@ test('a stroke of 20,000 samples is drawn to its end', {width: 720, height: 720}
   });
   let sampled;
   await app.draw(points, {
-    async before() { sampled = (await app.stats()).preview.points; },
+    async before() {
+      await app.frames(3);  // the last ones have been seen by the app
+      sampled = (await app.stats()).preview.points;
+    },
   });
   assert.ok(sampled > 19_000, `${sampled} samples arrived`);
   const [part] = await app.parts();
