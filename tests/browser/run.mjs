@@ -9,7 +9,7 @@ import {serve} from '../../scripts/serve.mjs';
 import {launch} from './chromium.mjs';
 import {App, registered, root} from './harness.mjs';
 
-/// Smooth edges cost software rendering most of its time, and are of use to the eye alone.
+/// Smooth edges cost a quarter of the time where rendering is software, and are for the eye alone.
 function withoutSmoothing() {
   const {getContext} = HTMLCanvasElement.prototype;
   HTMLCanvasElement.prototype.getContext = function(kind, options) {
