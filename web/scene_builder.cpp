@@ -105,7 +105,7 @@ class Builder {
                               static_cast<float>(move.z), 0};
     }
     if (ui_.tool == ToolKind::pose) showWeights(posed, stance.rest);
-    for (const Vec3 p : posedVertices(keeper.hull(), motions, ui_.posing.skinning).positions) {
+    for (const Vec3 p : posedVertices(keeper.outermost(), motions, ui_.posing.skinning).positions) {
       box_.include(p);
     }
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 #include "base/vec.h"
 
@@ -62,6 +63,11 @@ struct Box3 {
   }
 };
 
+inline Box3 boxOf(const std::vector<Vec3>& points) {
+  Box3 box;
+  for (const Vec3 p : points) box.include(p);
+  return box;
+}
 /// Of any points that are Vec2.
 template <typename Points>
 Box2 boxOf(const Points& points) {

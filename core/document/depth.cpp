@@ -22,12 +22,6 @@ struct Span {
   double extent() const { return high - low; }
 };
 
-Box3 boxOf(const Part& part) {
-  Box3 box;
-  for (const Vec3 p : part.mesh.positions) box.include(p);
-  return box;
-}
-
 Span spanOf(const Box3& box, const Frame& frame, Vec3 direction) {
   const Vec3 half = box.size() / 2;
   const double middle = dot(direction, frame.toWorld(box.middle()));
@@ -58,7 +52,7 @@ class Layers {
     }
     Layers layers;
     const Frame& frame = found->frame;
-    layers.box_ = boxOf(*evaluation.parts()[found->source].shapeOf(*found));
+    layers.box_ = boxOf(evaluation.parts()[found->source].shapeOf(*found)->mesh.positions);
     const Vec3 normal = frame.z() / frame.scale();
     layers.direction = dot(normal, viewer) < 0 ? -normal : normal;
     layers.own = spanOf(layers.box_, frame, layers.direction);
@@ -67,7 +61,7 @@ class Layers {
     for (const PlacedPart& other : placed) {
       const EvaluatedPart& evaluated = evaluation.parts()[other.source];
       if (named[other.source] || !evaluated.part || !evaluated.source->visible) continue;
-      const Box3 box = boxOf(*evaluated.shapeOf(other));
+      const Box3 box = boxOf(evaluated.shapeOf(other)->mesh.positions);
       layers.others.push_back(
           {spanOf(box, other.frame, layers.direction), layers.overlaps(frame, box, other.frame)});
     }

@@ -100,8 +100,7 @@ bool isDrawable(const std::vector<Vec2>& stroke, const Frame& frame) {
 bool isDrawable(const PartSource& part) {
   if (!isDrawable(part.stroke, part.frame)) return false;
   if (!part.mesh) return true;
-  Box3 box;
-  for (const Vec3 p : part.mesh->positions) box.include(p);
+  const Box3 box = boxOf(part.mesh->positions);
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 p{corner & 1 ? box.low.x : box.high.x, corner & 2 ? box.low.y : box.high.y,
                  (corner & 4 ? box.low.z : box.high.z) * kMaxThickness};

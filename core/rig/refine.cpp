@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "document/joint_id.h"
 #include "rig/connect.h"
 #include "rig/joined.h"
 #include "rig/names.h"
@@ -21,13 +22,6 @@ double sane(double threshold) {
 double chosen(const std::optional<double>& part, const std::optional<double>& model,
               double otherwise) {
   return sane(part ? *part : model ? *model : otherwise);
-}
-
-/// Ids of parts in ids of joints: what follows the last single '/' is the joint's own.
-std::string quoted(const std::string& id) {
-  std::string text;
-  for (const char c : id) text.append(c == '/' ? 2 : 1, c);
-  return text;
 }
 
 class Refining {
@@ -122,7 +116,7 @@ class Refining {
 
   void addJoints() {
     joint_of_.assign(joined_.nodes.size(), -1);
-    for (const RigPart& part : parts_) ids_.push_back(quoted(part.placed->id));
+    for (const RigPart& part : parts_) ids_.push_back(quotedPart(part.placed->id));
     rig_.joints.reserve(2 * joined_.nodes.size());
     clusters_.reserve(2 * joined_.nodes.size());
     size_t way = 0;

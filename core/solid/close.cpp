@@ -12,6 +12,7 @@
 #include "solid/sides.h"
 #include "solid/slivers.h"
 #include "solid/weld.h"
+#include "surface/fans.h"
 
 namespace marrow {
 namespace {
@@ -26,8 +27,7 @@ constexpr size_t kMostPieces = 2000;  // that are tried one by one
 Error notSolid(const char* sentence) { return {Status::notSolid, sentence}; }
 
 double sizeOf(const Mesh& mesh) {
-  Box3 box;
-  for (const Vec3 p : mesh.positions) box.include(p);
+  const Box3 box = boxOf(mesh.positions);
   if (box.isEmpty()) return 0;
   const Vec3 size = box.size();
   return std::max({size.x, size.y, size.z});
@@ -247,18 +247,7 @@ class Closing {
       fans.join(side, nextSide(other));
       fans.join(nextSide(side), other);
     }
-    std::vector<uint32_t> index(3 * mesh_.triangles.size(), kNone);
-    std::vector<Vec3> positions;
-    for (uint32_t corner = 0; corner < index.size(); ++corner) {
-      uint32_t& vertex = mesh_.triangles[corner / 3][corner % 3];
-      uint32_t& number = index[fans.find(corner)];
-      if (number == kNone) {
-        number = static_cast<uint32_t>(positions.size());
-        positions.push_back(mesh_.positions[vertex]);
-      }
-      vertex = number;
-    }
-    mesh_.positions = std::move(positions);
+    mesh_ = splitByFans(mesh_, fans);
   }
 
   /// Turns each piece outward; those that enclose nothing go.

@@ -9,12 +9,9 @@
 
 namespace marrow {
 
-/// For each side of a mesh's triangles the one across it; kNoSide at a border. Side 3t + k is that
-/// of triangle t from its corner k to the next.
+/// For each side of a mesh's triangles (see nextSide) the one across it; kNoSide at a border.
 using Across = std::vector<uint32_t>;
 constexpr uint32_t kNoSide = ~0u;
-
-inline uint32_t nextSide(uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
 
 /// Where more than two triangles meet at an edge, those that have the solid between them, by the
 /// sides they face to, belong to each other. Nothing where that is not to be said.

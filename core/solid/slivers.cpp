@@ -72,9 +72,8 @@ class Flipping {
   }
 
   // A side has the number of the corner where it begins.
-  static uint32_t next(uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
   uint32_t from(uint32_t side) const { return mesh_.triangles[side / 3][side % 3]; }
-  uint32_t to(uint32_t side) const { return from(next(side)); }
+  uint32_t to(uint32_t side) const { return from(nextSide(side)); }
 
   void join(uint32_t side, uint32_t other) {
     across_[side] = other;
@@ -94,15 +93,15 @@ class Flipping {
     }
     const uint32_t twin = across_[longest];
     if (twin == kNone) return kNone;
-    const uint32_t a = from(longest), b = to(longest), c = to(next(longest));
-    const uint32_t d = to(next(twin)), other = twin / 3;
+    const uint32_t a = from(longest), b = to(longest), c = to(nextSide(longest));
+    const uint32_t d = to(nextSide(twin)), other = twin / 3;
     if (c == d || edges_.count(edgeOf(c, d)) > 0) return kNone;
     const bool was_flat = isFlat(mesh_.triangles[other]);
     const Triangle one{c, a, d}, two{d, b, c};
     const int flat_now = (isFlat(one) ? 1 : 0) + (isFlat(two) ? 1 : 0);
     if (flat_now > (was_flat ? 1 : 0)) return kNone;
-    const uint32_t bc = across_[next(longest)], ca = across_[next(next(longest))];
-    const uint32_t ad = across_[next(twin)], db = across_[next(next(twin))];
+    const uint32_t bc = across_[nextSide(longest)], ca = across_[nextSide(nextSide(longest))];
+    const uint32_t ad = across_[nextSide(twin)], db = across_[nextSide(nextSide(twin))];
     edges_.erase(edgeOf(a, b));
     edges_.insert(edgeOf(c, d));
     mesh_.triangles[t] = one;

@@ -15,6 +15,9 @@ struct Mesh {
   std::vector<std::array<uint32_t, 3>> triangles;  // counter-clockwise seen from outside
 };
 
+/// Side 3t + k is that of triangle t from its corner k to the next; this is the one after it.
+inline uint32_t nextSide(uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
+
 struct MeshReport {
   bool closed = false;    // no edge has one triangle only
   bool manifold = false;  // every edge at most two, every vertex one fan, orientation consistent

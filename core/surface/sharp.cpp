@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/sets.h"
+#include "surface/fans.h"
 
 namespace marrow {
 namespace {
@@ -11,8 +11,6 @@ namespace {
 constexpr double kSharp = 0.766;      // cosine of 40°
 constexpr double kSameNormal = 1e-6;  // 1 − cosine; closer ones share a vertex
 constexpr uint32_t kNone = ~0u;
-
-uint32_t next(uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
 
 /// Corners of triangles that share a normal.
 Sets smoothFans(const Mesh& mesh, const std::vector<Vec3>& faces) {
@@ -41,8 +39,8 @@ Sets smoothFans(const Mesh& mesh, const std::vector<Vec3>& faces) {
       const Vec3 a = faces[one / 3], b = faces[other / 3];
       const bool flat = dot(a, a) == 0 || dot(b, b) == 0;  // without area there is no turn to see
       if (!flat && dot(a, b) < kSharp) continue;
-      fans.join(one, next(other));
-      fans.join(next(one), other);
+      fans.join(one, nextSide(other));
+      fans.join(nextSide(one), other);
     }
   }
   return fans;
@@ -59,18 +57,7 @@ std::vector<std::array<Vec3, 3>> cornerNormals(const Mesh& mesh) {
     faces.push_back(size > 0 ? face / size : Vec3{});
   }
   Sets fans = smoothFans(mesh, faces);
-  // The normals of a mesh whose vertices are those fans.
-  Mesh split;
-  std::vector<uint32_t> index(3 * mesh.triangles.size(), kNone);
-  for (uint32_t corner = 0; corner < index.size(); ++corner) {
-    if (corner % 3 == 0) split.triangles.emplace_back();
-    uint32_t& number = index[fans.find(corner)];
-    if (number == kNone) {
-      number = static_cast<uint32_t>(split.positions.size());
-      split.positions.push_back(mesh.positions[mesh.triangles[corner / 3][corner % 3]]);
-    }
-    split.triangles.back()[corner % 3] = number;
-  }
+  const Mesh split = splitByFans(mesh, fans);
   const std::vector<Vec3> normals = vertexNormals(split);
   std::vector<std::array<Vec3, 3>> found;
   found.reserve(mesh.triangles.size());

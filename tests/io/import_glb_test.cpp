@@ -6,16 +6,6 @@
 #include "support/mesh_files.h"
 
 namespace marrow {
-namespace {
-
-Box3 boxAround(const Mesh& mesh) {
-  Box3 box;
-  for (const Vec3 p : mesh.positions) box.include(p);
-  return box;
-}
-
-}  // namespace
-
 TEST_CASE("import glb: nodes of a GLB place its meshes, and every way to draw triangles counts",
           "[import_glb]") {
   const Mesh box = boxMesh({0, 0, 0}, {1, 1, 1});
@@ -25,11 +15,11 @@ TEST_CASE("import glb: nodes of a GLB place its meshes, and every way to draw tr
   const auto moved = readMesh(
       glbOf(box, "\"rotation\": [0, 0, 1, 1], \"translation\": [10, 0, 0], "), MeshFormat::glb);
   REQUIRE(moved);
-  CHECK(length(boxAround(*moved).middle() - Vec3{9.5, 0.5, 0.5}) < 1e-12);
+  CHECK(length(boxOf(moved->positions).middle() - Vec3{9.5, 0.5, 0.5}) < 1e-12);
   const auto by_matrix =
       readMesh(glbOf(box, "\"matrix\": [2,0,0,0, 0,2,0,0, 0,0,2,0, 1,2,3,1], "), MeshFormat::glb);
   REQUIRE(by_matrix);
-  CHECK(length(boxAround(*by_matrix).middle() - Vec3{2, 3, 4}) < 1e-12);
+  CHECK(length(boxOf(by_matrix->positions).middle() - Vec3{2, 3, 4}) < 1e-12);
 
   // A tetrahedron as a strip, its vertices as bytes from −1 to 1.
   std::string binary;
@@ -67,7 +57,7 @@ TEST_CASE("import glb: a character that was exported comes back as one solid at 
   REQUIRE(bytes);
   const auto mesh = readMesh(*bytes, MeshFormat::glb);
   REQUIRE(mesh);
-  CHECK(length(boxAround(*mesh).middle() - Vec3{0.5, 0.2, 0.1}) < 1e-6);
+  CHECK(length(boxOf(mesh->positions).middle() - Vec3{0.5, 0.2, 0.1}) < 1e-6);
   CHECK(importMesh(*bytes, MeshFormat::glb));
   CHECK(documentInGlb(*bytes) == "{\"format\": \"marrow\"}");
   CHECK(!documentInGlb(glbOf(boxMesh({}, {1, 1, 1}))));
@@ -126,7 +116,7 @@ TEST_CASE("import glb: a GLB without scenes shows all its nodes", "[import_glb]"
   bytes.replace(at, scenes.size(), std::string(scenes.size(), ' '));
   const auto mesh = readMesh(bytes, MeshFormat::glb);
   REQUIRE(mesh);
-  CHECK(boxAround(*mesh).size() == Vec3{1, 2, 4});
+  CHECK(boxOf(mesh->positions).size() == Vec3{1, 2, 4});
 }
 
 TEST_CASE("import glb: bytes that another program put in a drawing's place are no drawing",

@@ -51,18 +51,12 @@ void checkAny(const MeshFile& file) {
   if (!report.closed || !report.manifold || !(report.volume > 0)) FAIL(file.name);
 }
 
-Box3 boxAround(const Mesh& mesh) {
-  Box3 box;
-  for (const Vec3 p : mesh.positions) box.include(p);
-  return box;
-}
-
 }  // namespace
 
 TEST_CASE("mesh import: the same solid comes from every format, about the origin and of size one",
           "[mesh_import]") {
   const Mesh torus = torusMesh({100, -30, 7}, 40, 13, 24, 12);
-  const Vec3 size = boxAround(torus).size();
+  const Vec3 size = boxOf(torus.positions).size();
   const double longest = std::max({size.x, size.y, size.z});
   const double volume = inspect(torus).volume / (longest * longest * longest);
   for (const MeshFile& file : filesOf(torus)) {
@@ -72,7 +66,7 @@ TEST_CASE("mesh import: the same solid comes from every format, about the origin
     CHECK(mesh->triangles.size() == torus.triangles.size());
     CHECK(mesh->positions.size() == torus.positions.size());
     CHECK(inspect(*mesh).volume == Approx(volume).epsilon(1e-5));
-    const Box3 box = boxAround(*mesh);
+    const Box3 box = boxOf(mesh->positions);
     CHECK(length(box.middle()) < 1e-6);
     CHECK(std::max({box.size().x, box.size().y, box.size().z}) == Approx(1));
     CHECK(box.size().z == Approx(size.z / longest).epsilon(1e-5));
@@ -187,7 +181,7 @@ TEST_CASE("mesh import: faces of many corners and faces with holes are cut withi
     }
     const auto mesh = importMesh(prism(star), MeshFormat::obj);
     REQUIRE(mesh);
-    const double height = boxAround(*mesh).size().z;
+    const double height = boxOf(mesh->positions).size().z;
     CHECK(inspect(*mesh).volume == Approx(area * height * height * height));
     CHECK_FALSE(crossesItself(*mesh));
   }
@@ -233,7 +227,7 @@ TEST_CASE(
     const auto mesh = readMesh(padded, MeshFormat::stl);
     REQUIRE(mesh);
     CHECK(mesh->triangles.size() == 12);
-    CHECK(boxAround(*mesh).high == Vec3{1, 2, 3});  // as it was before it was written
+    CHECK(boxOf(mesh->positions).high == Vec3{1, 2, 3});  // as it was before it was written
     padded += '\n';
   }
 }

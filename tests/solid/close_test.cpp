@@ -29,6 +29,15 @@ Mesh apart(const Mesh& mesh) {
   return loose;
 }
 
+/// A ball of loose triangles whose corners nearly meet.
+Mesh looseBall(Random& random, double gap) {
+  Mesh loose = apart(sphereMesh({}, 1, 3));
+  for (Vec3& p : loose.positions) {
+    p = p + Vec3{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)} * gap;
+  }
+  return loose;
+}
+
 Mesh together(const Mesh& one, const Mesh& other) {
   Mesh both = one;
   const auto offset = static_cast<uint32_t>(one.positions.size());
@@ -116,10 +125,7 @@ TEST_CASE("close: folds without thickness vanish; faces that are there from both
 
 TEST_CASE("close: corners that nearly meet are one, where that is what it takes", "[close]") {
   Random random(2);
-  Mesh loose = apart(sphereMesh({}, 1, 3));
-  for (Vec3& p : loose.positions) {
-    p = p + Vec3{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)} * 2e-6;
-  }
+  const Mesh loose = looseBall(random, 2e-6);
   const auto closed = closeSurface(loose);
   REQUIRE(closed);
   checkSolid(*closed);
@@ -183,10 +189,7 @@ TEST_CASE("close: a corner on another's edge is no hole, however long the edge i
 
 TEST_CASE("close: vertices that no triangle uses count for nothing", "[close]") {
   Random random(4);
-  Mesh loose = apart(sphereMesh({}, 1, 3));
-  for (Vec3& p : loose.positions) {
-    p = p + Vec3{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)} * 1e-7;
-  }
+  const Mesh loose = looseBall(random, 1e-7);
   const auto known = closeSurface(loose);
   REQUIRE(known);
   for (const Vec3 far : {Vec3{1e6, 0, 0}, Vec3{1e300, -1e300, 0},

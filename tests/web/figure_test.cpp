@@ -13,6 +13,7 @@
 #include "support/catch.h"
 #include "support/creatures.h"
 #include "support/samples.h"
+#include "support/weight_strokes.h"
 #include "weights/bodies.h"
 
 namespace marrow {
@@ -41,6 +42,19 @@ Made make(const std::string& request) {
   made.result = Workshop().work(request, teller, noTime);
   return made;
 }
+
+/// What work tells; it is told to stop at the given step.
+struct Listener {
+  std::string last;  // what was made last
+  size_t steps = 0, stops_at = SIZE_MAX;
+
+  WorkTeller teller() {
+    WorkTeller teller;
+    teller.made = [this](const std::string& bytes) { last = bytes; };
+    teller.progress = [this](double) { return ++steps < stops_at; };
+    return teller;
+  }
+};
 
 const Document& sample(const std::string& name) {
   for (const SampleFile& one : sampleFiles()) {
@@ -100,150 +114,108 @@ TEST_CASE("figure: work that is told to stop comes to nothing but a guess") {
 
 TEST_CASE("workshop: other strokes need no new weights, and give what all anew would give") {
   Workshop workshop;
-  std::string last;
-  size_t steps = 0;
-  WorkTeller teller;
-  teller.made = [&](const std::string& bytes) { last = bytes; };
-  teller.progress = [&](double) {
-    ++steps;
-    return true;
-  };
+  Listener heard;
   Document dog = sample("dog");
-  REQUIRE(workshop.work(figureRequest(dog), teller, noTime));
-  const std::string plain = last;
-  CHECK(steps > 3);
-  Evaluation evaluation;
-  evaluation.update(dog);
-  const Rig::Joint& joint = evaluation.rig().joints[5];
-  WeightStroke stroke;
-  stroke.part = evaluation.placed()[joint.part].id;
-  stroke.joint = joint.id;
-  stroke.radius = 40;
-  stroke.points = {joint.position};
-  auto painted = apply(dog, AddWeightStroke{stroke});
+  REQUIRE(workshop.work(figureRequest(dog), heard.teller(), noTime));
+  const std::string plain = heard.last;
+  CHECK(heard.steps > 3);
+  auto painted = apply(dog, AddWeightStroke{strokeAtJoint(dog, 5, 40)});
   REQUIRE(painted);
-  steps = 0;
-  REQUIRE(workshop.work(figureRequest(*painted), teller, noTime));
-  CHECK(steps == 0);
-  CHECK(last != plain);
-  const std::string repainted = last;
-  REQUIRE(Workshop().work(figureRequest(*painted), teller, noTime));
-  CHECK(last == repainted);
-  steps = 0;
-  REQUIRE(workshop.work(figureRequest(dog), teller, noTime));
-  CHECK(steps == 0);
-  CHECK(last == plain);
+  heard.steps = 0;
+  REQUIRE(workshop.work(figureRequest(*painted), heard.teller(), noTime));
+  CHECK(heard.steps == 0);
+  CHECK(heard.last != plain);
+  const std::string repainted = heard.last;
+  REQUIRE(Workshop().work(figureRequest(*painted), heard.teller(), noTime));
+  CHECK(heard.last == repainted);
+  heard.steps = 0;
+  REQUIRE(workshop.work(figureRequest(dog), heard.teller(), noTime));
+  CHECK(heard.steps == 0);
+  CHECK(heard.last == plain);
 
   FileOptions file;
   file.name = "dog";
-  REQUIRE(workshop.work(fileRequest(dog, file), teller, noTime));
-  CHECK(steps == 0);
-  const auto glb = fileFromBytes(last);
+  REQUIRE(workshop.work(fileRequest(dog, file), heard.teller(), noTime));
+  CHECK(heard.steps == 0);
+  const auto glb = fileFromBytes(heard.last);
   REQUIRE(glb);
   CHECK(glb->bytes.substr(0, 4) == "glTF");
 }
 
 TEST_CASE("workshop: while a stroke is painted the others are not painted again") {
   Workshop workshop;
-  std::string last;
-  size_t steps = 0, most_steps = SIZE_MAX;
-  WorkTeller teller;
-  teller.made = [&](const std::string& bytes) { last = bytes; };
-  teller.progress = [&](double) { return ++steps < most_steps; };
-  Document fish = sample("fish");
+  Listener heard;
+  const Document fish = sample("fish");
   Evaluation evaluation;
   evaluation.update(fish);
-  const auto& joints = evaluation.rig().joints;
-  WeightStroke stroke;
-  stroke.radius = 30;
+  const size_t joints = evaluation.rig().joints.size();
   const auto addStroke = [&](const Document& document, size_t i) {
-    const Rig::Joint& joint = joints[i % joints.size()];
-    stroke.part = evaluation.placed()[joint.part].id;
-    stroke.joint = joint.id;
-    stroke.points = {joint.position, joint.position + Vec3{2. * static_cast<double>(i), 0, 0}};
+    WeightStroke stroke = strokeAtJoint(fish, i % joints, 30);
+    stroke.points.push_back(stroke.points[0] + Vec3{2. * static_cast<double>(i), 0, 0});
     auto next = apply(document, AddWeightStroke{stroke});
     REQUIRE(next);
     return *next;
   };
-  REQUIRE(workshop.work(figureRequest(fish), teller, noTime));
-  const std::string plain = last;
+  REQUIRE(workshop.work(figureRequest(fish), heard.teller(), noTime));
+  const std::string plain = heard.last;
   Document painted = fish;
   for (size_t i = 0; i < 10; ++i) painted = addStroke(painted, i);
-  steps = 0;
-  REQUIRE(workshop.work(figureRequest(painted), teller, noTime));
-  CHECK(steps == 9);
+  heard.steps = 0;
+  REQUIRE(workshop.work(figureRequest(painted), heard.teller(), noTime));
+  CHECK(heard.steps == 9);
   for (size_t i = 0; i < 4; ++i) {
-    steps = 0;
-    REQUIRE(workshop.work(figureRequest(addStroke(painted, i)), teller, noTime));
-    CHECK(steps == 0);
+    heard.steps = 0;
+    REQUIRE(workshop.work(figureRequest(addStroke(painted, i)), heard.teller(), noTime));
+    CHECK(heard.steps == 0);
   }
-  const Document other = addStroke(fish, 9);
   // Told to stop it does, and keeps the weights.
-  steps = 0, most_steps = 1, last.clear();
-  Document more = other;
+  Document more = addStroke(fish, 9);
   for (size_t i = 0; i < 10; ++i) more = addStroke(more, i);
-  CHECK_FALSE(workshop.work(figureRequest(more), teller, noTime));
-  CHECK(last.empty());
-  CHECK(steps == 1);
-  steps = 0, most_steps = SIZE_MAX;
-  REQUIRE(workshop.work(figureRequest(fish), teller, noTime));
-  CHECK(steps == 0);
-  CHECK(last == plain);
+  heard = {};
+  heard.stops_at = 1;
+  CHECK_FALSE(workshop.work(figureRequest(more), heard.teller(), noTime));
+  CHECK(heard.last.empty());
+  CHECK(heard.steps == 1);
+  heard = {};
+  REQUIRE(workshop.work(figureRequest(fish), heard.teller(), noTime));
+  CHECK(heard.steps == 0);
+  CHECK(heard.last == plain);
 }
 
 TEST_CASE("workshop: told to stop while the guess is painted, it makes nothing") {
   Document fish = sample("fish");
-  Evaluation evaluation;
-  evaluation.update(fish);
-  const Rig::Joint& joint = evaluation.rig().joints[1];
-  WeightStroke stroke;
-  stroke.part = evaluation.placed()[joint.part].id;
-  stroke.joint = joint.id;
-  stroke.radius = 30;
-  stroke.points = {joint.position};
+  const WeightStroke stroke = strokeAtJoint(fish, 1, 30);
   for (int i = 0; i < 3; ++i) fish = *apply(fish, AddWeightStroke{stroke});
-  size_t made = 0, steps = 0;
-  WorkTeller teller;
-  teller.made = [&](const std::string&) { ++made; };
-  teller.progress = [&](double) { return ++steps < 2; };
-  CHECK_FALSE(Workshop().work(figureRequest(fish), teller, noTime));
-  CHECK(made == 0);
-  CHECK(steps == 2);
+  Listener heard;
+  heard.stops_at = 2;
+  CHECK_FALSE(Workshop().work(figureRequest(fish), heard.teller(), noTime));
+  CHECK(heard.last.empty());
+  CHECK(heard.steps == 2);
   // So does a file of parts, behind the weights.
   FileOptions file;
   file.parts = true;
   size_t at_end = 0;
+  WorkTeller teller = heard.teller();
   teller.progress = [&](double done) { return done < 1 || ++at_end < 3; };
   CHECK_FALSE(Workshop().work(fileRequest(fish, file), teller, noTime));
   CHECK(at_end == 3);
-  CHECK(made == 0);
+  CHECK(heard.last.empty());
 }
 
 TEST_CASE("workshop: strokes on a body that was imported need no new weights") {
   Workshop workshop;
-  size_t steps = 0;
-  WorkTeller teller;
-  teller.made = [](const std::string&) {};
-  teller.progress = [&](double) { return ++steps > 0; };
+  Listener heard;
   const auto limb = std::make_shared<const Mesh>(
       inSinglePrecision(tube(straight({0, 0, 0}, {240, 0, 0}, 24), 15)));
   auto document = apply({}, ImportPart{limb, "Limb", {}});
   REQUIRE(document);
-  REQUIRE(workshop.work(figureRequest(*document), teller, noTime));
-  CHECK(steps > 0);
-  Evaluation evaluation;
-  evaluation.update(*document);
-  const Rig::Joint& joint = evaluation.rig().joints[0];
-  WeightStroke stroke;
-  stroke.part = evaluation.placed()[joint.part].id;
-  stroke.joint = joint.id;
-  stroke.radius = 30;
-  stroke.points = {joint.position};
-  document = apply(*document, AddWeightStroke{stroke});
+  REQUIRE(workshop.work(figureRequest(*document), heard.teller(), noTime));
+  CHECK(heard.steps > 0);
+  document = apply(*document, AddWeightStroke{strokeAtJoint(*document, 0, 30)});
   REQUIRE(document);
-  steps = 0;
-  REQUIRE(workshop.work(figureRequest(*document), teller, noTime));
-  CHECK(steps == 0);
+  heard.steps = 0;
+  REQUIRE(workshop.work(figureRequest(*document), heard.teller(), noTime));
+  CHECK(heard.steps == 0);
 }
 
 TEST_CASE("workshop: pictures go along only with what holds the whole drawing") {
@@ -370,9 +342,7 @@ TEST_CASE("figure: its outermost vertices reach as far as all, in any pose") {
     }
     const auto motions = motionsOf(figure, evaluation.rig(), posed(evaluation.rig(), pose));
     const auto boxOfPosed = [&](const Figure& one) {
-      Box3 box;
-      for (const Vec3 p : posedVertices(one, motions, Skinning::linear).positions) box.include(p);
-      return box;
+      return boxOf(posedVertices(one, motions, Skinning::linear).positions);
     };
     const Box3 all = boxOfPosed(figure), few = boxOfPosed(hull);
     const double slack = 0.03 * length(all.size());

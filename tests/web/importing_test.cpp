@@ -7,11 +7,7 @@
 namespace marrow {
 namespace {
 
-Vec3 sizeOf(const Mesh& mesh) {
-  Box3 box;
-  for (const Vec3 p : mesh.positions) box.include(p);
-  return box.size();
-}
+Vec3 sizeOf(const Mesh& mesh) { return boxOf(mesh.positions).size(); }
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include "document/evaluation.h"
 #include "support/catch.h"
 #include "support/samples.h"
+#include "support/weight_strokes.h"
 
 namespace marrow {
 namespace {
@@ -35,15 +36,7 @@ TEST_CASE("keeping: poses, soft seams and strokes of the brush are changes like 
   const Document& document = sampleFiles().front().document;
   CHECK(isKept(SetPose{"Sit", {}}));
   CHECK(isKept(SetBlend{12}));
-  Evaluation evaluation;
-  evaluation.update(document);
-  const Rig::Joint& joint = evaluation.rig().joints[1];
-  WeightStroke stroke;
-  stroke.part = evaluation.placed()[joint.part].id;
-  stroke.joint = joint.id;
-  stroke.radius = 40;
-  stroke.points = {joint.position};
-  CHECK(isKept(AddWeightStroke{stroke}));
+  CHECK(isKept(AddWeightStroke{strokeAtJoint(document, 1, 40)}));
   CHECK_FALSE(isKept(SetBlend{document.blend}));
 }
 

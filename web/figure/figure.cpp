@@ -208,11 +208,11 @@ Figure outermost(const Figure& figure) {
   std::set<uint32_t> chosen;
   for (const auto& group : farthest) chosen.insert(group.begin(), group.end());
   chosen.erase(kNone);
-  Figure hull;
-  hull.origin = figure.origin;
-  hull.joints = figure.joints;
-  for (const uint32_t v : chosen) hull.vertices.push_back(figure.vertices[v]);
-  return hull;
+  Figure few;
+  few.origin = figure.origin;
+  few.joints = figure.joints;
+  for (const uint32_t v : chosen) few.vertices.push_back(figure.vertices[v]);
+  return few;
 }
 
 std::vector<Rigid> motionsOf(const Figure& figure, const Rig& rig,

@@ -50,7 +50,7 @@ void FigureKeeper::made(uint64_t number, const std::string& bytes) {
   // The weights of the rig before are better than a guess of the new ones.
   if (figure->guessed && is_same_mesh && !made_->guessed) return;
   made_ = std::make_shared<const Figure>(std::move(*figure));
-  hull_ = outermost(*made_);
+  outermost_ = marrow::outermost(*made_);
   of_ = begun_;
   ++mesh_id_;
   shown_ = of_.parts == wanted_.parts ? made_ : nullptr;

@@ -36,8 +36,8 @@ class FigureKeeper {
   /// Of the drawing's present parts, or null. Its seams may still be as soft as they were before;
   /// its weights may be a guess, or of the rig before.
   const std::shared_ptr<const Figure>& figure() const { return shown_; }
-  /// See outermost; of the figure, where there is one.
-  const Figure& hull() const { return hull_; }
+  /// Of the figure, where there is one (see figure.h).
+  const Figure& outermost() const { return outermost_; }
   /// Changes with the figure; never reused, nor that of any other mesh.
   uint64_t meshId() const { return mesh_id_; }
   /// It is of the drawing as it is now, with its final weights, and all that is painted over them.
@@ -59,10 +59,10 @@ class FigureKeeper {
   };
 
   std::shared_ptr<const Figure> made_, shown_;
-  Figure hull_;  // of made_
-  Keys of_;      // what made_ was made of
-  Keys wanted_;  // what there is now
-  Keys begun_;   // of the work under way
+  Figure outermost_;  // of made_
+  Keys of_;           // what made_ was made of
+  Keys wanted_;       // what there is now
+  Keys begun_;        // of the work under way
   double changed_ms_ = 0;
   double due_ms_ = std::numeric_limits<double>::infinity();
   uint64_t number_ = 0;  // of the work under way; 0: none

@@ -31,16 +31,17 @@ function marrowWorker(host) {
       } else if (data.done !== undefined) {
         _marrow_work_progress(number, data.done);
       } else if (data.ended !== undefined) {
-        ended(data.ended);
+        const of = number;
+        number = 0;
+        ended(of, data.ended);
       }
     } catch {
       fail();
     }
     host.wake();
   }
-  function ended(why) {
-    const of = number, address = host.copied(why);
-    number = 0;
+  function ended(of, why) {
+    const address = host.copied(why);
     _marrow_work_ended(of, address);
     _free(address);
   }
@@ -48,8 +49,7 @@ function marrowWorker(host) {
   function fail() {
     const of = number;
     end();
-    number = of;
-    ended('This did not work: the browser does not let the app work in the background, or has no memory left.');
+    ended(of, 'This did not work: the browser does not let the app work in the background, or has no memory left.');
     host.wake();
   }
 
