@@ -5,6 +5,7 @@
 //   growth     straight skeletons and the chordal axis as the polygon grows
 //   cold       the first calls in this process
 //   rig        whole characters: to the rig, opened, dragged, refined; FILEs are documents
+//   quality    how good rigs are; the same on every machine
 //   model      characters merged, weighted, posed and written; FILEs are documents
 //   character  the document of 60 strokes that is dragged and refined
 #include <cstdio>
@@ -16,6 +17,7 @@
 #include "bench/inputs.h"
 #include "bench/measure.h"
 #include "bench/models.h"
+#include "bench/quality.h"
 #include "bench/rigs.h"
 #include "part/part.h"
 
@@ -205,11 +207,13 @@ int run(int argc, char** argv) {
     print({{"document", characterOfManyParts()}});
   } else if (what == "rig") {
     rigs(quick, files);
+  } else if (what == "quality") {
+    quality();
   } else if (what == "model") {
     models(quick, files);
   } else {
     std::fprintf(stderr,
-                 "marrow_bench strokes|stages|growth|cold|rig|model|character [--quick] [FILE…]\n");
+                 "marrow_bench strokes|stages|growth|cold|rig|model|quality|character [--quick] [FILE…]\n");
     return 2;
   }
   return 0;

@@ -132,6 +132,17 @@ function growthTable(figures) {
         number(bestSlope())} there)\n\n${table(powers)}`;
 }
 
+function qualityTable(figures) {
+  const cell = (value, unit) => `${Number(value.toPrecision(3))}${unit && ` ${unit}`}`;
+  const rows = figures.all('quality').map((row) => {
+    const most = row.most !== undefined, wanted = most ? row.most : row.least;
+    const good = most ? row.value <= wanted : row.value >= wanted;
+    return [row.what, `${most ? '≤' : '≥'} ${cell(wanted, row.unit)}`, cell(row.value, row.unit),
+            row.note, good ? '✓' : '✗'];
+  });
+  return `### Rig quality\n\n${table([['figure', 'wanted', 'measured', 'of', ''], ...rows])}`;
+}
+
 /// By least squares, of log(ms) over log(n).
 function slopeOf(points) {
   const xs = points.map(([x]) => Math.log(x)), ys = points.map(([, y]) => Math.log(y));
@@ -385,6 +396,7 @@ function targetTable(figures) {
 export function report(rows) {
   const figures = new Figures(rows);
   const sections = [`${machine()}. Smallest of repeated runs.`];
+  if (figures.has('quality')) sections.push(qualityTable(figures));
   sections.push(targetTable(figures));
   if (figures.has('stages')) {
     sections.push(stageTable(figures), strokeTable(figures), polygonTable(figures));

@@ -1,4 +1,4 @@
-// node tests/bench/run.mjs [--quick] [stages] [growth] [cold] [rig] [model] [thinning] [frames]:
+// node tests/bench/run.mjs [--quick] [stages] [growth] [cold] [rig] [model] [quality] [thinning] [frames]:
 // measures all, or what is named, and prints the tables in Markdown. Everything measured goes to
 // build/bench.json.
 //
@@ -88,6 +88,10 @@ if (wanted('growth')) rows.push(...repeated('growth', quick ? 1 : 2));
 if (wanted('cold')) rows.push(...repeated('cold', quick ? 3 : 7));
 if (wanted('rig')) rows.push(...repeated('rig', quick ? 1 : 4, samples()));
 if (wanted('model')) rows.push(...repeated('model', quick ? 1 : 4, samples()));
+if (wanted('quality')) {
+  say('quality');
+  rows.push(...bench('native', 'quality'));
+}
 if (wanted('thinning')) {
   say('thinning');
   // The Python that has scikit-image; a Python from elsewhere may come first on the path.

@@ -1,0 +1,23 @@
+// How good rigs are, as an animator would judge them: figures that later work must not worsen.
+// No times, so any machine gives the same.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace marrow::bench {
+
+/// One row of the table of rig quality.
+struct QualityRow {
+  std::string what;
+  double value = 0;   // in `unit`
+  double wanted = 0;  // at most, or at least where `at_least`
+  bool at_least = false;
+  std::string unit;  // "%", "", …
+  std::string note;  // of how many; the worst
+};
+
+/// Writes a JSON object a line, as `marrow_bench quality` does.
+void quality();
+
+}  // namespace marrow::bench
