@@ -6,6 +6,7 @@
 //   cold       the first calls in this process
 //   rig        whole characters: to the rig, opened, dragged, refined; FILEs are documents
 //   quality    how good rigs are; the same on every machine
+//   missed     of the joints that people place, those that rigs lack, on the standard error
 //   model      characters merged, weighted, posed and written; FILEs are documents
 //   character  the document of 60 strokes that is dragged and refined
 #include <cstdio>
@@ -17,6 +18,7 @@
 #include "bench/inputs.h"
 #include "bench/measure.h"
 #include "bench/models.h"
+#include "bench/placed_joints.h"
 #include "bench/quality.h"
 #include "bench/rigs.h"
 #include "part/part.h"
@@ -209,11 +211,15 @@ int run(int argc, char** argv) {
     rigs(quick, files);
   } else if (what == "quality") {
     quality();
+  } else if (what == "missed") {
+    missedJoints();
   } else if (what == "model") {
     models(quick, files);
   } else {
-    std::fprintf(stderr,
-                 "marrow_bench strokes|stages|growth|cold|rig|model|quality|character [--quick] [FILE…]\n");
+    std::fprintf(
+        stderr,
+        "marrow_bench strokes|stages|growth|cold|rig|model|quality|missed|character [--quick] "
+        "[FILE…]\n");
     return 2;
   }
   return 0;

@@ -1,11 +1,11 @@
 #include "bench/quality.h"
 
 #include "bench/creatures.h"
+#include "bench/placed_joints.h"
 
 namespace marrow::bench {
-namespace {
 
-void print(const std::vector<QualityRow>& rows) {
+void printQuality(const std::vector<QualityRow>& rows) {
   for (const QualityRow& row : rows) {
     Json json{{"bench", "quality"}, {"what", row.what}, {"value", row.value}};
     json[row.at_least ? "least" : "most"] = row.wanted;
@@ -15,8 +15,6 @@ void print(const std::vector<QualityRow>& rows) {
   }
 }
 
-}  // namespace
-
-void quality() { print({}); }
+void quality() { printQuality(placedJoints()); }
 
 }  // namespace marrow::bench

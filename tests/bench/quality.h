@@ -17,7 +17,10 @@ struct QualityRow {
   std::string note;  // of how many; the worst
 };
 
-/// Writes a JSON object a line, as `marrow_bench quality` does.
+/// Writes a JSON object a line.
+void printQuality(const std::vector<QualityRow>& rows);
+
+/// Measures and writes all rows.
 void quality();
 
 }  // namespace marrow::bench
