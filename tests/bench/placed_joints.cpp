@@ -37,8 +37,8 @@ PlacedDrawing toDrawing(const Json& json) {
     const std::string text = strokes::readText(file);
     if (!text.empty()) drawing.points = toPoints(Json::parse(text).at("points"));
   }
-  const Json none = Json::object();
-  for (const auto& [name, at] : json.value("joints", none).items()) {
+  const Json joints = json.value("joints", Json::object());
+  for (const auto& [name, at] : joints.items()) {
     drawing.joints.push_back({name, toPoint(at)});
   }
   drawing.straight = json.value("straight", drawing.straight);
@@ -161,7 +161,7 @@ class Tally {
     } else {
       for (const WantedLimb& limb : limbs) {
         if (!limb.wanted) continue;
-        const double off = nearest(rig.terminals, limb.tip) / rig.size;
+        const double off = nearest(rig.joints, limb.tip) / rig.size;
         tips_.count(off, kTipReach, drawing.name, limb.name);
         note(off, kTipReach, drawing.name, limb.name + "'s tip");
         bases_.count(nearest(rig.joints, limb.base) / rig.size, kTipReach, drawing.name, limb.name);
@@ -191,7 +191,7 @@ class Tally {
     rows.push_back(toRow("placed: hands and feet", ends_, 95));
     rows.push_back(toRow("placed: neck and head", head_, 90));
     rows.push_back(unwanted("ends nobody wanted, a biped", bipeds_, unwanted_of_bipeds_));
-    rows.push_back(toRow("other creatures: limb tips within 8 % of an end of ours", tips_, 95));
+    rows.push_back(toRow("other creatures: limb tips within 8 % of a joint of ours", tips_, 95));
     rows.push_back(toRow("other creatures: limb bases within 8 % of a joint of ours", bases_, 80));
     rows.push_back(unwanted("ends nobody wanted, another creature", others_, unwanted_of_others_));
     rows.push_back(
