@@ -259,6 +259,8 @@ def costumes():
             d.tube([end, to], (6, 5))
             d.allow("twig", tuple(to))
     d.allow("hat", (0, 275))
+    for x in (-1, 1):
+        d.allow("brim", (x * 76, 196))
     d.allow("bottom", (0, -180))
     yield d
 
@@ -326,7 +328,7 @@ def costumes():
               arm=(18, 26, 34), leg=(18, 17, 16), hand=("cut",), foot=("aside", 34, 16))
     d.body([(72, 34), (48, 54), (-60, 78), (-200, 122), (-214, 120)])
     d.poly([(-92, 150), (92, 152), (64, 172), (24, 300), (-30, 338), (-62, 170)])
-    d.allow("hat", (-22, 320))
+    d.allow("hat", (-14, 280))
     d.allow("brim", (-86, 154))
     d.allow("brim", (86, 154))
     yield d
@@ -349,7 +351,8 @@ def costumes():
               arm=(16, 20, 12), leg=(20, 26, 16), hand=("fingers", 14, 5), foot=("ball", 22), tremor=2.0)
     d.body([(2, 100, 36), (2, 70, 60), (4, 0, 64), (10, -62, 58), (10, -90, 40)])
     d.spikes((-6, 186), 80, 20, 165, 8, 26)
-    d.allow("hair", (-8, 285))
+    for x, y in ((-76, 236), (-8, 285), (56, 264)):
+        d.allow("hair", (x, y))
     yield d
 
     d = biped("alien", "exact", pelvis=(0, -60), chest=(0, 58), neck=(0, 92), head=(0, 190, 108, 88),
@@ -405,7 +408,8 @@ def plain():
 
     d = Drawing("tadpole", "biped", "near", tremor=1.8)
     d.blob((0, 80), 150, 140)
-    d.joints = {"root": (0, -34), "hip": (0, -34), "torso": (0, 50), "head": (0, 110)}
+    d.joints = {"root": (0, -34), "hip": (0, -34), "torso": (0, 50)}
+    d.allow("head", (0, 80))
     for side, x in (("right", -1), ("left", 1)):
         arm = [(x * 140, 50), (x * 196, 46 - 5 * x), (x * 256, 42)]
         leg = [(x * 48, -48), (x * 54, -160), (x * 58, -264)]
@@ -427,7 +431,7 @@ def plain():
 
     d = biped("clown", "near", pelvis=(0, -110), chest=(0, 34), neck=(0, 74), head=(0, 138, 72, 68),
               left_arm=[(70, 40), (140, 10), (206, -30)], left_leg=[(42, -116), (54, -186), (84, -262)],
-              arm=(32, 29, 24), leg=(38, 36, 33), hand=("mitten", 22), foot=("aside", 72, 24))
+              arm=(32, 29, 24), leg=(38, 36, 33), hand=("mitten", 22), foot=("aside", 56, 24))
     d.body([(62, 42), (30, 80), (-50, 96), (-120, 84), (-150, 66)])
     d.poly([(-54, 190), (54, 190), (10, 316), (-6, 316)])
     d.allow("hat", (2, 305))
