@@ -77,6 +77,15 @@ function triples(numbers) {
   return Array.from({length: numbers.length / 3}, (_, i) => [...numbers.slice(3 * i, 3 * i + 3)]);
 }
 
+/// So that of the triangles of a body the far ones do not cancel the near ones.
+function counterClockwise(points) {
+  const area = points.reduce((sum, [x, y], i) => {
+    const [u, v] = points[(i + 1) % points.length];
+    return sum + x * v - u * y;
+  }, 0);
+  return area < 0 ? [...points].reverse() : points;
+}
+
 /// Closed lines as seen from the front, each with whether its rim is drawn: strokes and their twins,
 /// and the triangles of imported parts.
 function outlinesOf(document) {
@@ -90,7 +99,7 @@ function outlinesOf(document) {
       rings = [part.stroke.points.map(world)];
     }
     if (part.mirror) rings.push(...rings.map((ring) => ring.map(reflection(part.mirror.plane))));
-    return rings.map((points) => ({points, rim: !part.mesh}));
+    return rings.map((points) => ({points: counterClockwise(points), rim: !part.mesh}));
   });
 }
 
