@@ -93,27 +93,25 @@ std::optional<Error> makeSkeleton(const std::vector<Vec2>& stroke, const PartOpt
     watch.lap("axis");
 
     // The simplified polygon may bulge out of thin places of what was drawn, and the axis with it.
-    if (attempt == kOutlineAttempts ||
-        segmentsInside(part.outline.dense, part.axis.points, part.axis.edges)) {
-      break;
+    if (attempt < kOutlineAttempts &&
+        !segmentsInside(part.outline.dense, part.axis.points, part.axis.edges)) {
+      outlining.tolerance /= 4;
+      continue;
     }
-    outlining.tolerance /= 4;
+    const MirrorLine* mirror = part.outline.mirror ? &*part.outline.mirror : nullptr;
+    auto skeleton = placeJoints(part.outline.polygon, part.axis, part.outline.scale(),
+                                options.joints, &part.outline.dense, mirror);
+    if (!skeleton && mirror) {
+      outlining.symmetric = false;
+      continue;
+    }
+    if (!skeleton) return skeleton.error();
+    part.skeleton = std::move(*skeleton);
+    break;
   }
-
-  auto skeleton = placeJoints(part.outline.polygon, part.axis, part.outline.scale(), options.joints,
-                              &part.outline.dense);
-  if (!skeleton) return skeleton.error();
-  part.skeleton = std::move(*skeleton);
   for (const auto& joint : part.skeleton.joints) part.inscribed_radii.push_back(joint.radius);
   watch.lap("joints");
   return std::nullopt;
-}
-
-void makeLevels(Part& part, const PartOptions& options) {
-  for (auto& branch : part.skeleton.branches) {
-    completeLevels(branch, part.outline.polygon, part.outline.scale(), options.joints,
-                   &part.outline.dense);
-  }
 }
 
 }  // namespace
@@ -154,8 +152,6 @@ Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& optio
   setProxy(part, options.inflate.thickness);
   watch.lap("proxy");
 
-  makeLevels(part, options);
-  watch.lap("levels");
   return part;
 }
 
@@ -174,8 +170,6 @@ Result<Part> importPart(const Mesh& mesh, const std::vector<Vec2>& silhouette,
   setNormals(part);
   watch.lap("normals");
 
-  makeLevels(part, options);
-  watch.lap("levels");
 
   part.spans = spansOf(part.skeleton, mesh);
   setProxy(part, options.inflate.thickness);

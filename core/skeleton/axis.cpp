@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
-#include <tuple>
+#include <cstdio>
+#include <cstdlib>
 
 #include "skeleton/inside.h"
 #include "sketch/polygon.h"
@@ -13,286 +13,38 @@ namespace {
 
 using Kind = StraightSkeleton::Kind;
 
-// A tip counts as a limb of its own when it reaches this many inscribed radii from where it starts:
-// the corner of a square reaches 1.41, that of an equilateral triangle 2.
-constexpr double kSpikeReach = 2.5;
-constexpr double kSpikeReachBetweenNotches = 1.6;  // both neighbours of the tip are reflex
-constexpr double kBranchReach = 1.5;
-// Where the joint of a sharp tip goes: a quarter of the spike's base radius is left there.
-constexpr double kSpikePart = 0.75;
-// An axis shorter than this many inscribed radii is a point: a blob.
+constexpr uint32_t kNone = 0xFFFFFFFF;
+
+// A branch is a limb of its own where it reaches beyond the ball that it leaves by this part of the
+// shape's size,
+constexpr double kLeastReach = 0.035;
+// and either by so many of its own radii where it leaves the ball (the corner of a square: 1.41, a
+// half disc: 1) or by so much of the ball's radius (the corner of a square: 0.41).
+constexpr double kSlender = 1.6;
+constexpr double kProud = 0.6;
+// A limb goes on while it reaches this part of its own radius beyond its ball: to the middle of a
+// blunt end, and far into a pointed one.
+constexpr double kGoesOnFrom = 0.42;
+constexpr double kGoesOnTo = 0.7;
+// A limb whose longest prong reaches beyond its ball goes on into it, unless the second one reaches
+// more than this part as far; from the larger part on the limb ends between them.
+constexpr double kForkFrom = 0.35;
+constexpr double kForkTo = 0.75;
+// Where a limb's last joint lies: this part of the limb's mean radius from the outline.
+constexpr double kFromEnd = 0.5;
+// The way from the last balls that tells where a limb points, in radii.
+constexpr double kAim = 1.5;
+// An axis shorter than this many radii is a point: a blob.
 constexpr double kBlobLength = 0.5;
-// How far the one bone of a blob goes from the middle to the border on either side.
-constexpr double kDiameterPart = 0.5;
-// An edge that moves in a collapse keeps this part of its smaller ball free.
-constexpr double kClearance = 0.5;
-// Lengths and radii that differ by less than this part count as equal, so that rounding does not
-// decide between symmetric choices.
+// Joints nearer than this part of a radius to the end of the axis are no others than that.
+constexpr double kLeastStep = 0.1;
 constexpr double kTie = 1e-9;
-
-struct Tree {
-  std::vector<Vec2> points;
-  std::vector<double> radii;
-  std::vector<double> reach;  // how far the shape goes beyond the node, were it a terminal
-  std::vector<std::vector<uint32_t>> neighbours;
-  std::vector<char> alive;
-
-  size_t degree(uint32_t i) const { return neighbours[i].size(); }
-
-  uint32_t add(Vec2 point, double radius) {
-    points.push_back(point);
-    radii.push_back(radius);
-    reach.push_back(radius);
-    neighbours.emplace_back();
-    alive.push_back(1);
-    return static_cast<uint32_t>(points.size() - 1);
-  }
-  void connect(uint32_t a, uint32_t b) {
-    neighbours[a].push_back(b);
-    neighbours[b].push_back(a);
-  }
-  void disconnect(uint32_t a, uint32_t b) {
-    auto& list = neighbours[a];
-    list.erase(std::find(list.begin(), list.end(), b));
-  }
-  void removeLeaf(uint32_t leaf) {
-    if (degree(leaf) == 1) disconnect(neighbours[leaf][0], leaf);
-    neighbours[leaf].clear();
-    alive[leaf] = 0;
-  }
-};
 
 bool isReflex(const std::vector<Vec2>& polygon, size_t i) {
   const size_t n = polygon.size();
-  const Vec2 before = polygon[(i + n - 1) % n], after = polygon[(i + 1) % n];
+  const Vec2 before = polygon[i > 0 ? i - 1 : n - 1], after = polygon[i + 1 < n ? i + 1 : 0];
   return cross(polygon[i] - before, after - polygon[i]) <= 0;
 }
-
-/// The inner arcs, and of the arcs into sharp convex tips the greater part.
-Tree innerTree(const std::vector<Vec2>& polygon, const StraightSkeleton& skeleton) {
-  const uint32_t n = static_cast<uint32_t>(polygon.size());
-  Tree tree;
-  for (size_t i = n; i < skeleton.nodes.size(); ++i) {
-    tree.add(skeleton.nodes[i], skeleton.times[i]);
-  }
-  for (const auto& edge : skeleton.edges) {
-    if (edge.kind == Kind::skeleton) tree.connect(edge.a - n, edge.b - n);
-  }
-  for (const auto& edge : skeleton.edges) {
-    if (edge.kind != Kind::peripheral) continue;
-    const uint32_t tip = std::min(edge.a, edge.b), node = std::max(edge.a, edge.b) - n;
-    if (isReflex(polygon, tip)) continue;
-    const Vec2 at = tree.points[node];
-    const double radius = tree.radii[node], reach = distance(at, polygon[tip]);
-    tree.reach[node] = std::max(tree.reach[node], reach);
-    const bool notches = isReflex(polygon, (tip + n - 1) % n) && isReflex(polygon, (tip + 1) % n);
-    const double needed = (notches ? kSpikeReachBetweenNotches : kSpikeReach) * radius;
-    if (reach < needed * (1 + kTie)) continue;
-    const uint32_t leaf = tree.add(lerp(at, polygon[tip], kSpikePart), radius * (1 - kSpikePart));
-    tree.reach[leaf] = reach * (1 - kSpikePart);
-    tree.connect(node, leaf);
-  }
-  return tree;
-}
-
-double meanLength(const Tree& tree) {
-  double sum = 0;
-  size_t count = 0;
-  for (uint32_t i = 0; i < tree.points.size(); ++i) {
-    for (const uint32_t j : tree.neighbours[i]) {
-      if (j < i) continue;
-      sum += distance(tree.points[i], tree.points[j]);
-      ++count;
-    }
-  }
-  return count ? sum / count : 0;
-}
-
-/// Takes away, round by round and in each round all at once, the terminal branches whose tips do
-/// not stand out from the ball at their junction: corners of blocks, bumps of a trembling hand.
-void pruneBumps(Tree& tree) {
-  struct Branch {
-    std::vector<uint32_t> nodes;  // from the leaf on, without the junction
-    uint32_t junction;
-    double reach;
-  };
-  std::vector<Branch> bumps;
-  do {
-    bumps.clear();
-    for (uint32_t leaf = 0; leaf < tree.points.size(); ++leaf) {
-      if (!tree.alive[leaf] || tree.degree(leaf) != 1) continue;
-      Branch branch{{leaf}, tree.neighbours[leaf][0], tree.reach[leaf]};
-      uint32_t last = leaf;
-      for (;;) {
-        const uint32_t next = branch.junction;
-        branch.reach += distance(tree.points[last], tree.points[next]);
-        if (tree.degree(next) != 2) break;
-        branch.junction =
-            tree.neighbours[next][0] == last ? tree.neighbours[next][1] : tree.neighbours[next][0];
-        branch.nodes.push_back(next);
-        last = next;
-      }
-      if (tree.degree(branch.junction) < 3) return;  // a path: it has no junction
-      const double needed = kBranchReach * tree.radii[branch.junction];
-      if (branch.reach < needed * (1 + kTie)) bumps.push_back(branch);
-    }
-    for (const Branch& bump : bumps) {
-      for (const uint32_t node : bump.nodes) tree.removeLeaf(node);
-      double& reach = tree.reach[bump.junction];
-      reach = std::max(reach, bump.reach);
-    }
-  } while (!bumps.empty());
-}
-
-/// Collapses edges, the shortest first, until all that are left have at least `threshold`.
-class Collapse {
- public:
-  Collapse(const std::vector<Vec2>& polygon, Tree& tree, double threshold)
-      : polygon_(polygon), tree_(tree), threshold_(threshold), versions_(tree.points.size()) {
-    for (uint32_t i = 0; i < tree.points.size(); ++i) pushEdgesOf(i, true);
-  }
-
-  void run() {
-    while (!queue_.empty()) {
-      const Entry entry = queue_.top();
-      queue_.pop();
-      if (!tree_.alive[entry.a] || !tree_.alive[entry.b]) continue;
-      if (versions_[entry.a] != entry.version_a || versions_[entry.b] != entry.version_b) continue;
-      if (tree_.degree(entry.a) == 1 && tree_.degree(entry.b) == 1) return;  // the last edge
-      collapse(entry.a, entry.b);
-    }
-  }
-
- private:
-  struct Entry {
-    double length, radius;
-    uint32_t a, b, version_a, version_b;
-
-    bool operator<(const Entry& other) const {  // the queue's top is the greatest
-      return std::tie(other.length, radius, other.a, other.b) <
-             std::tie(length, other.radius, a, b);
-    }
-  };
-
-  void pushEdgesOf(uint32_t i, bool once) {
-    for (const uint32_t j : tree_.neighbours[i]) {
-      if (once && j < i) continue;
-      const double length = distance(tree_.points[i], tree_.points[j]);
-      if (!(length < threshold_)) continue;
-      // In steps, so that lengths equal but for rounding are equal.
-      const double step = threshold_ * kTie;
-      const double radius = tree_.radii[i] + tree_.radii[j];
-      queue_.push({std::floor(length / step + 0.5), std::floor(radius / step + 0.5), std::min(i, j),
-                   std::max(i, j), versions_[std::min(i, j)], versions_[std::max(i, j)]});
-    }
-  }
-
-  /// Positive when a is the better end to keep, negative when b is, 0 when neither.
-  double preference(uint32_t a, uint32_t b) const {
-    const size_t degree_a = tree_.degree(a), degree_b = tree_.degree(b);
-    // A terminal wins over a sleeve, so that a limb keeps its length; junctions win over both.
-    const auto rank = [](size_t degree) { return degree == 1 ? 2 : degree == 2 ? 1 : degree; };
-    if (rank(degree_a) != rank(degree_b)) return rank(degree_a) > rank(degree_b) ? 1 : -1;
-    const double difference = tree_.radii[a] - tree_.radii[b];
-    return std::abs(difference) <= kTie * (tree_.radii[a] + tree_.radii[b]) ? 0 : difference;
-  }
-
-  void collapse(uint32_t a, uint32_t b) {
-    const bool a_ends = tree_.degree(a) == 1, b_ends = tree_.degree(b) == 1;
-    if (a_ends && tree_.degree(b) > 2) return dropLeaf(a, b);
-    if (b_ends && tree_.degree(a) > 2) return dropLeaf(b, a);
-    const double choice = preference(a, b);
-    const double first = choice > 0 ? 0 : choice < 0 ? 1 : 0.5;
-    for (const double t : {first, 1 - first, 0.5}) {
-      Vec2 point = tree_.points[t < 0.5 ? a : b];
-      double radius = tree_.radii[t < 0.5 ? a : b];
-      if (t == 0.5) {
-        point = (tree_.points[a] + tree_.points[b]) * 0.5;
-        radius = distanceToBorder(polygon_, point);
-      }
-      if (!staysInside(a, b, point, radius)) continue;
-      mergeInto(a, b, point, radius);
-      return;
-    }
-  }
-
-  /// A fork whose prongs are all short, as at the blunt end of a limb, becomes one prong between
-  /// them; any other short prong goes.
-  void dropLeaf(uint32_t leaf, uint32_t junction) {
-    std::vector<uint32_t> prongs;
-    Vec2 sum;
-    for (const uint32_t i : tree_.neighbours[junction]) {
-      if (tree_.degree(i) > 1) continue;
-      if (!(distance(tree_.points[i], tree_.points[junction]) < threshold_)) continue;
-      prongs.push_back(i);
-      sum = sum + tree_.points[i];
-    }
-    const Vec2 middle = sum / static_cast<double>(prongs.size());
-    if (prongs.size() > 1 && prongs.size() + 1 == tree_.degree(junction) &&
-        distance(middle, tree_.points[junction]) > kTie * threshold_ &&
-        segmentInside(polygon_, tree_.points[junction], middle)) {
-      for (const uint32_t i : prongs) {
-        if (i == leaf) continue;
-        tree_.reach[leaf] = std::max(tree_.reach[leaf], tree_.reach[i]);
-        tree_.removeLeaf(i);
-      }
-      tree_.points[leaf] = middle;
-      tree_.radii[leaf] = distanceToBorder(polygon_, middle);
-      touch(leaf);
-      touch(junction);
-      return;
-    }
-    tree_.reach[junction] =
-        std::max(tree_.reach[junction],
-                 tree_.reach[leaf] + distance(tree_.points[leaf], tree_.points[junction]));
-    tree_.removeLeaf(leaf);
-    touch(junction);
-  }
-
-  bool staysInside(uint32_t a, uint32_t b, Vec2 point, double radius) const {
-    for (const uint32_t end : {a, b}) {
-      if (tree_.points[end] == point) continue;
-      for (const uint32_t other : tree_.neighbours[end]) {
-        if (other == a || other == b) continue;
-        // Between two balls that overlap enough the segment is clear of the border.
-        const double smaller = std::min(radius, tree_.radii[other]);
-        const double apart = distance(point, tree_.points[other]);
-        if (apart == 0) return false;
-        if (apart * apart < 4 * (1 - kClearance * kClearance) * smaller * smaller) continue;
-        if (!segmentClear(polygon_, point, tree_.points[other], kClearance * smaller)) return false;
-      }
-    }
-    return true;
-  }
-
-  void mergeInto(uint32_t a, uint32_t b, Vec2 point, double radius) {
-    tree_.disconnect(a, b);
-    tree_.disconnect(b, a);
-    for (const uint32_t other : tree_.neighbours[b]) {
-      std::replace(tree_.neighbours[other].begin(), tree_.neighbours[other].end(), b, a);
-      tree_.neighbours[a].push_back(other);
-    }
-    tree_.neighbours[b].clear();
-    tree_.alive[b] = 0;
-    tree_.reach[a] = std::max(tree_.reach[a] + distance(tree_.points[a], point),
-                              tree_.reach[b] + distance(tree_.points[b], point));
-    tree_.points[a] = point;
-    tree_.radii[a] = radius;
-    touch(a);
-  }
-
-  /// Its edges, or the roles of its ends, have changed.
-  void touch(uint32_t i) {
-    ++versions_[i];
-    pushEdgesOf(i, false);
-  }
-
-  const std::vector<Vec2>& polygon_;
-  Tree& tree_;
-  double threshold_;
-  std::vector<uint32_t> versions_;
-  std::priority_queue<Entry> queue_;
-};
 
 /// Where the ray from `from` leaves the polygon.
 double exitOf(const std::vector<Vec2>& polygon, Vec2 from, Vec2 direction) {
@@ -311,81 +63,425 @@ double exitOf(const std::vector<Vec2>& polygon, Vec2 from, Vec2 direction) {
   return std::max(nearest, 0.0);
 }
 
-/// One edge along the longest chord through `middle`. A chord that is longer than its neighbours
-/// goes through a vertex, so these directions are enough.
-Axis diameter(const std::vector<Vec2>& polygon, Vec2 middle) {
-  double longest = 0;
-  Vec2 first = middle, second = middle;
-  for (const Vec2 vertex : polygon) {
-    const double away = distance(vertex, middle);
-    if (!(away > 0)) continue;
-    const Vec2 direction = (vertex - middle) / away;
-    const double ahead = std::min(exitOf(polygon, middle, direction), away);
-    const double behind = exitOf(polygon, middle, -direction);
-    if (ahead + behind <= longest * (1 + kTie)) continue;
-    longest = ahead + behind;
-    first = middle - direction * (behind * kDiameterPart);
-    second = middle + direction * (ahead * kDiameterPart);
-  }
-  Axis axis;
-  axis.points = {first, second};
-  axis.edges = {{0, 1}};
-  return axis;
-}
+/// The inner arcs of a straight skeleton, seen from the node with the largest ball.
+class Tree {
+ public:
+  struct Node {
+    Vec2 point;
+    double radius;
+    uint32_t parent = kNone;
+    double to_parent = 0;
+    uint32_t first = 0, count = 0;  // of its neighbours in `around`
+    double tip = 0;                 // the longest arc from here to a convex corner of the polygon
+    double reach = 0;               // the longest way to a corner, away from the root
+    uint32_t onward = kNone;        // the child on that way; none: an arc to a corner
+    bool parent_is_a = false;
+    uint32_t left = kNone, right = kNone;  // border edges beside the arc to the parent
+  };
 
-/// The node with the largest ball.
-uint32_t deepest(const Tree& tree) {
-  uint32_t best = 0;
-  for (uint32_t i = 0; i < tree.points.size(); ++i) {
-    if (tree.alive[i] && (!tree.alive[best] || tree.radii[i] > tree.radii[best])) best = i;
-  }
-  return best;
-}
-
-/// A tree without junctions that is short against its balls.
-bool isBlob(const Tree& tree) {
-  double total = 0;
-  for (uint32_t i = 0; i < tree.points.size(); ++i) {
-    if (tree.degree(i) > 2) return false;
-    for (const uint32_t j : tree.neighbours[i]) {
-      total += 0.5 * distance(tree.points[i], tree.points[j]);
+  Tree(const std::vector<Vec2>& polygon, const StraightSkeleton& skeleton) {
+    const uint32_t n = static_cast<uint32_t>(polygon.size());
+    const uint32_t count = static_cast<uint32_t>(skeleton.nodes.size()) - n;
+    nodes.resize(count);
+    for (uint32_t i = 0; i < count; ++i) {
+      nodes[i].point = skeleton.nodes[n + i];
+      nodes[i].radius = skeleton.times[n + i];
+    }
+    for (const auto& edge : skeleton.edges) {
+      if (edge.kind == Kind::skeleton) {
+        ++nodes[edge.a - n].count;
+        ++nodes[edge.b - n].count;
+      } else if (edge.kind == Kind::peripheral) {
+        const uint32_t corner = std::min(edge.a, edge.b);
+        if (isReflex(polygon, corner)) continue;
+        Node& node = nodes[std::max(edge.a, edge.b) - n];
+        node.tip = std::max(node.tip, distance(node.point, polygon[corner]));
+      }
+    }
+    uint32_t begin = 0;
+    for (Node& node : nodes) {
+      node.first = begin;
+      begin += node.count;
+      node.count = 0;
+    }
+    around.resize(begin);
+    arc_of.resize(begin);
+    for (const auto& edge : skeleton.edges) {
+      if (edge.kind != Kind::skeleton) continue;
+      Node &a = nodes[edge.a - n], &b = nodes[edge.b - n];
+      arc_of[a.first + a.count] = arc_of[b.first + b.count] = static_cast<uint32_t>(&edge - skeleton.edges.data());
+      around[a.first + a.count++] = edge.b - n;
+      around[b.first + b.count++] = edge.a - n;
+    }
+    for (uint32_t i = 1; i < count; ++i) {
+      if (nodes[i].radius > nodes[root].radius * (1 + kTie)) root = i;
+    }
+    order.reserve(count);
+    order.push_back(root);
+    for (size_t k = 0; k < order.size(); ++k) {
+      for (const uint32_t& child : childrenOf(order[k])) {
+        if (child == nodes[order[k]].parent) continue;
+        nodes[child].parent = order[k];
+        const auto& arc = skeleton.edges[arc_of[nodes[order[k]].first + static_cast<uint32_t>(&child - childrenOf(order[k]).begin())]];
+        nodes[child].parent_is_a = arc.a - n == order[k];
+        nodes[child].left = arc.left;
+        nodes[child].right = arc.right;
+        nodes[child].to_parent = distance(nodes[child].point, nodes[order[k]].point);
+        order.push_back(child);
+      }
+    }
+    for (size_t k = order.size(); k-- > 0;) {
+      Node& node = nodes[order[k]];
+      if (node.tip > node.reach) {
+        node.reach = node.tip;
+        node.onward = kNone;
+      }
+      if (node.parent == kNone) continue;
+      Node& parent = nodes[node.parent];
+      const double reach = node.reach + node.to_parent;
+      if (reach > parent.reach) {
+        parent.reach = reach;
+        parent.onward = order[k];
+      }
     }
   }
-  return total <= kBlobLength * tree.radii[deepest(tree)] * (1 + kTie);
-}
+
+  struct Range {
+    const uint32_t *from, *to;
+    const uint32_t* begin() const { return from; }
+    const uint32_t* end() const { return to; }
+  };
+  /// And the parent.
+  Range childrenOf(uint32_t i) const {
+    const uint32_t* first = around.data() + nodes[i].first;
+    return {first, first + nodes[i].count};
+  }
+
+  /// How far the child's side reaches beyond the ball of its parent.
+  double proud(uint32_t child) const {
+    const Node& node = nodes[child];
+    return node.to_parent + node.reach - nodes[node.parent].radius;
+  }
+
+  double opening(const std::vector<Vec2>& polygon, uint32_t child) const {
+    const Vec2 x = nodes[nodes[child].parent].point;
+    Vec2 foot[2];
+    int k = 0;
+    for (const uint32_t e : {nodes[child].left, nodes[child].right}) {
+      const Vec2 a = polygon[e], b = polygon[e + 1 < polygon.size() ? e + 1 : 0], along = b - a;
+      const double t = std::clamp(dot(x - a, along) / dot(along, along), 0.0, 1.0);
+      foot[k] = a + along * t - x;
+      foot[k] = foot[k] / length(foot[k]);
+      ++k;
+    }
+    return dot(foot[0], foot[1]);
+  }
+
+  double beyond(const std::vector<Vec2>& polygon, uint32_t child) const {
+    const Vec2 x = nodes[nodes[child].parent].point;
+    // which of left/right comes first counter-clockwise: going from parent to child, right edge first
+    uint32_t e[2] = {nodes[child].right, nodes[child].left};
+    if (!nodes[child].parent_is_a) std::swap(e[0], e[1]);
+    Vec2 foot[2], n[2];
+    for (int k = 0; k < 2; ++k) {
+      const Vec2 a = polygon[e[k]], b = polygon[e[k] + 1 < polygon.size() ? e[k] + 1 : 0], along = b - a;
+      const double t = std::clamp(dot(x - a, along) / dot(along, along), 0.0, 1.0);
+      foot[k] = a + along * t;
+      n[k] = (foot[k] - x) / length(foot[k] - x);
+    }
+    double most = 0, area = 0;
+    Vec2 last = foot[0];
+    for (uint32_t i = e[0]; i != e[1];) {
+      i = i + 1 < polygon.size() ? i + 1 : 0;
+      const bool end = i == e[1] ;
+      for (int k = 0; k < 2; ++k) {
+        most = std::max(most, dot(polygon[i] - foot[k], n[k]));
+        const double d0 = std::max(0.0, dot(last - foot[k], n[k])), d1 = std::max(0.0, dot(polygon[i] - foot[k], n[k]));
+        area += (d0 + d1) / 2 * dot(polygon[i] - last, perpendicular(n[k])) * 1;
+      }
+      (void)end;
+      last = polygon[i];
+    }
+    static const bool kArea = std::getenv("AREA");
+    return kArea ? std::sqrt(std::max(0.0, area)) : most;
+  }
+
+  /// The radius where the way to the child's tip leaves the ball of its parent.
+  double mouth(uint32_t child) const {
+    double left = nodes[nodes[child].parent].radius;
+    double before = left;
+    for (uint32_t i = child;;) {
+      const Node& node = nodes[i];
+      if (left <= node.to_parent) {
+        const double t = node.to_parent > 0 ? left / node.to_parent : 1;
+        return before + (node.radius - before) * t;
+      }
+      left -= node.to_parent;
+      before = node.radius;
+      if (node.onward == kNone) {
+        return node.tip > 0 ? before * std::max(0.0, 1 - left / node.tip) : 0;
+      }
+      i = node.onward;
+    }
+  }
+
+  std::vector<Node> nodes;
+  std::vector<uint32_t> around, arc_of;
+  std::vector<uint32_t> order;  // parents before children
+  uint32_t root = 0;
+};
+
+class Extracting {
+ public:
+  Extracting(const std::vector<Vec2>& polygon, const StraightSkeleton& skeleton)
+      : polygon_(polygon), tree_(polygon, skeleton) {
+    const double across = std::sqrt(std::fabs(signedArea(polygon)));
+    const double round = perimeter(polygon);
+    size_ = 0; (void)across; (void)round;
+    const Vec2 c = areaCentroid(polygon);
+    for (const Vec2 p : polygon) size_ = std::max(size_, 2 * distance(p, c));
+  }
+
+  Axis run() {
+    keep();
+    Axis axis;
+    if (isBlob()) {
+      axis = blob();
+    } else {
+      finishEnds();
+      std::vector<uint32_t> renamed(kept_.size());
+      for (uint32_t i = 0; i < kept_.size(); ++i) {
+        renamed[i] = static_cast<uint32_t>(axis.points.size());
+        axis.points.push_back(kept_[i].point);
+        if (kept_[i].parent != kNone) axis.edges.push_back({renamed[kept_[i].parent], renamed[i]});
+      }
+    }
+    for (const Vec2 point : axis.points) axis.radii.push_back(distanceToBorder(polygon_, point));
+    return axis;
+  }
+
+ private:
+  struct Kept {
+    Vec2 point;
+    double radius;
+    uint32_t parent;  // in kept_
+    uint32_t node;    // of the tree
+    uint32_t children = 0;
+    double ends = 1;  // see endsAt
+    double inside = 0;  // how far it still is to where the limb leaves the ball of its junction
+  };
+
+  double significance(uint32_t child) const {
+    const double proud = tree_.proud(child);
+    const double ball = tree_.nodes[tree_.nodes[child].parent].radius;
+    const double mouth = tree_.mouth(child);
+    const double slender = mouth > 0 ? proud / mouth : 0;
+    if (std::getenv("AXIS")) {
+      const double bulge0 = tree_.beyond(polygon_, child); const double c = tree_.opening(polygon_, child), half = std::sqrt(std::max(0.0, (1 + c) / 2));
+      if (proud > 0.015 * size_) std::fprintf(stderr, "at %.0f %.0f R %.0f  S/size %.3f S/R %.2f slender %.2f phi %.0f SCORE %.3f D/size %.3f D/R %.2f %s\n", tree_.nodes[tree_.nodes[child].parent].point.x, tree_.nodes[tree_.nodes[child].parent].point.y, ball, proud/size_, proud/ball, slender, 2*std::acos(half)*57.3, (bulge0 / 0.6 + proud / 0.45) / (ball + 0.1 * size_) / 0.85, tree_.beyond(polygon_,child)/size_, tree_.beyond(polygon_,child)/ball, tree_.nodes[tree_.nodes[child].parent].onward == child ? "onward":"");
+    }
+    const double bulge = tree_.beyond(polygon_, child);
+    static const double kBulge = std::getenv("BULGE") ? std::atof(std::getenv("BULGE")) : 0.6;
+    static const double kLeast = std::getenv("LEAST") ? std::atof(std::getenv("LEAST")) : 0.04;
+    static const double kPr = std::getenv("PROUD") ? std::atof(std::getenv("PROUD")) : 0.45;
+    static const double kC = std::getenv("SIZEC") ? std::atof(std::getenv("SIZEC")) : 0.0;
+    static const double kScore = std::getenv("SCORE") ? std::atof(std::getenv("SCORE")) : 1.25;
+    (void)slender;
+    return std::min(proud / (kLeast * size_), (bulge / kBulge + proud / kPr) / (ball + kC * size_) / kScore);
+  }
+
+  void keep() {
+    kept_.push_back({tree_.nodes[tree_.root].point, tree_.nodes[tree_.root].radius, kNone,
+                     tree_.root});
+    for (uint32_t k = 0; k < kept_.size(); ++k) {
+      const uint32_t at = kept_[k].node;
+      const auto& node = tree_.nodes[at];
+      std::vector<uint32_t> significant;
+      for (const uint32_t child : tree_.childrenOf(at)) {
+        if (child != node.parent && significance(child) >= 1) significant.push_back(child);
+      }
+      if (k > 0 && significant.size() < 2) {
+        const uint32_t next = significant.empty() ? node.onward : significant[0];
+        if (next == kNone) continue;
+        kept_[k].ends = endsAt(at, next, kept_[k].inside > 0);
+        if (kept_[k].ends <= 0) add(next, k, false);
+        continue;
+      }
+      for (const uint32_t child : significant) add(child, k, true);
+    }
+  }
+
+  void add(uint32_t child, uint32_t parent, bool begins) {
+    const auto& node = tree_.nodes[child];
+    Kept next{node.point, node.radius, parent, child};
+    next.inside = (begins ? kept_[parent].radius : kept_[parent].inside) - node.to_parent;
+    kept_.push_back(next);
+    ++kept_[parent].children;
+  }
+
+  /// The child in which a limb without branches goes on.
+  uint32_t onwardFrom(uint32_t at) const {
+    const auto& node = tree_.nodes[at];
+    uint32_t found = kNone;
+    for (const uint32_t child : tree_.childrenOf(at)) {
+      if (child == node.parent || significance(child) < 1) continue;
+      if (found != kNone) return kNone;
+      found = child;
+    }
+    return found == kNone ? node.onward : found;
+  }
+
+  /// Whether a limb ends at a node, before its child: 0 not at all, 1 plainly.
+  double endsAt(uint32_t at, uint32_t child, bool inside) const {
+    const auto& node = tree_.nodes[at];
+    double second = node.tip;
+    for (const uint32_t other : tree_.childrenOf(at)) {
+      if (other == node.parent || other == child) continue;
+      second = std::max(second, tree_.nodes[other].to_parent + tree_.nodes[other].reach);
+    }
+    const double proud = tree_.proud(child);
+    if (!(proud > 0)) return 1;
+    const double fork = ((second - node.radius) / proud - kForkFrom) / (kForkTo - kForkFrom);
+    const double on = std::max((proud / node.radius - kGoesOnFrom) / (kGoesOnTo - kGoesOnFrom),
+                               (significance(child) - kGoesOnFrom) / (1 - kGoesOnFrom));
+    return 1 - std::clamp(1 - fork, 0.0, 1.0) * (inside ? 1 : std::clamp(on, 0.0, 1.0));
+  }
+
+  bool isBlob() const {
+    double total = 0;
+    for (const Kept& kept : kept_) {
+      if (kept.children > (kept.parent == kNone ? 2u : 1u)) return false;
+      if (kept.parent != kNone) total += distance(kept.point, kept_[kept.parent].point);
+    }
+    return total <= kBlobLength * kept_[0].radius;
+  }
+
+  void finishEnds() {
+    const uint32_t count = static_cast<uint32_t>(kept_.size());
+    const bool root_ends = kept_[0].children == 1;
+    std::vector<uint32_t> child(count, kNone);
+    for (uint32_t i = 1; i < count; ++i) child[kept_[i].parent] = i;
+    for (uint32_t i = 1; i < count; ++i) {
+      if (kept_[i].children > 0) continue;
+      std::vector<uint32_t> way{i};
+      while (way.back() != 0 && (way.size() == 1 || kept_[way.back()].children == 1)) {
+        way.push_back(kept_[way.back()].parent);
+      }
+      finishEnd(way);
+    }
+    if (!root_ends) return;
+    std::vector<uint32_t> way{0};
+    while (kept_[way.back()].children == 1) way.push_back(child[way.back()]);
+    finishEnd(way);
+  }
+
+  /// way: from an end to the next junction or the other end.
+  void finishEnd(const std::vector<uint32_t>& way) {
+    std::vector<Vec2> line;
+    for (const uint32_t i : way) line.push_back(kept_[i].point);
+    const Kept end = kept_[way[0]];
+    // What lies in the ball of the junction is none of the limb.
+    const Vec2 base = line.back();
+    const double ball = kept_[way.back()].children > 1 ? kept_[way.back()].radius : 0;
+    double radii = 0, total = 0;
+    for (size_t k = 0; k + 1 < way.size(); ++k) {
+      if (k > 0 && distance(line[k], base) < ball) break;
+      const double step = distance(line[k], line[k + 1]);
+      radii += step * (kept_[way[k]].radius + kept_[way[k + 1]].radius) / 2;
+      total += step;
+    }
+    const double limb = total > 0 ? radii / total : end.radius;
+    // Where it may end or go on, it ends between what comes of both.
+    std::vector<Vec2> places{bluntEnd(line, end.radius, limb)};
+    std::vector<double> ends{end.ends};
+    std::vector<Vec2> longer = line;
+    double inside = end.inside;
+    for (uint32_t i = end.node; i != kNone && ends.back() < 1;) {
+      i = onwardFrom(i);
+      if (i == kNone) break;
+      inside -= tree_.nodes[i].to_parent;
+      longer.insert(longer.begin(), tree_.nodes[i].point);
+      places.push_back(bluntEnd(longer, tree_.nodes[i].radius, limb));
+      const uint32_t next = onwardFrom(i);
+      ends.push_back(next == kNone ? 1 : std::max(ends.back(), endsAt(i, next, inside > 0)));
+    }
+    Vec2 place = places[0] * ends[0];
+    for (size_t k = 1; k < places.size(); ++k) place = place + places[k] * (ends[k] - ends[k - 1]);
+    place = place + places.back() * (1 - ends.back());
+    if (distance(place, end.point) > kLeastStep * end.radius && segmentInside(polygon_, end.point, place)) {
+      kept_.push_back({place, distanceToBorder(polygon_, place), way[0], kNone});
+      return;
+    }
+    (void)0;
+  }
+
+  /// Where a limb has its last joint, on or behind the end of its axis, which is the line's front.
+  Vec2 bluntEnd(const std::vector<Vec2>& line, double radius, double limb) const {
+    Vec2 from = line.back();
+    double back = 0;
+    for (size_t k = 0; k + 1 < line.size(); ++k) {
+      const double step = distance(line[k], line[k + 1]);
+      if (back + step >= kAim * radius) {
+        from = lerp(line[k], line[k + 1], step > 0 ? (kAim * radius - back) / step : 1);
+        break;
+      }
+      back += step;
+    }
+    const Vec2 towards = line.front() - from;
+    const double size = length(towards);
+    if (!(size > 0)) return line.front();
+    const double room = exitOf(polygon_, line.front(), towards / size);
+    return line.front() + towards * (std::max(0.0, room - kFromEnd * limb) / size);
+  }
+
+  /// One bone along the longer direction of the area; of what has none, upright.
+  Axis blob() const {
+    const Vec2 middle = kept_[0].point;
+    double xx = 0, xy = 0, yy = 0, all = 0;
+    const Vec2 centre = areaCentroid(polygon_);
+    Vec2 p = polygon_.back() - centre;
+    for (const Vec2 vertex : polygon_) {
+      const Vec2 q = vertex - centre;
+      const double area = cross(p, q);
+      xx += area * (p.x * p.x + p.x * q.x + q.x * q.x);
+      yy += area * (p.y * p.y + p.y * q.y + q.y * q.y);
+      xy += area * (2 * p.x * p.y + p.x * q.y + q.x * p.y + 2 * q.x * q.y) / 2;
+      p = q;
+    }
+    all = xx + yy;
+    // The doubled angle of the longer direction, as long as that is clear; and a little upright.
+    Vec2 twice{(xx - yy) / all - 0.04, 2 * xy / all};
+    const double size = length(twice);
+    twice = size > 0 ? twice / size : Vec2{-1, 0};
+    Vec2 direction{std::sqrt(std::max(0.0, (1 + twice.x) / 2)),
+                   std::sqrt(std::max(0.0, (1 - twice.x) / 2))};
+    if (twice.y < 0) direction.y = -direction.y;
+    const double ahead = exitOf(polygon_, middle, direction),
+                 behind = exitOf(polygon_, middle, -direction);
+    const double end = kFromEnd * kept_[0].radius;
+    Axis axis;
+    axis.points = {middle - direction * std::max(behind - end, behind * 0.5),
+                   middle + direction * std::max(ahead - end, ahead * 0.5)};
+    axis.edges = {{0, 1}};
+    return axis;
+  }
+
+  const std::vector<Vec2>& polygon_;
+  Tree tree_;
+  double size_ = 0;
+  std::vector<Kept> kept_;
+};
 
 }  // namespace
 
 Result<Axis> extractAxis(const std::vector<Vec2>& polygon, const StraightSkeleton& skeleton,
-                         const AxisOptions& options) {
+                         const AxisOptions&) {
   const size_t n = polygon.size();
   if (n < 3 || skeleton.nodes.size() <= n || skeleton.times.size() != skeleton.nodes.size()) {
     return Status::skeletonFailed;
   }
-  Tree tree = innerTree(polygon, skeleton);
-  const double mean = meanLength(tree);
-  const double threshold = std::max(options.collapse_ratio * (1 - kTie), kTie) * mean;
-  pruneBumps(tree);
-  Collapse(polygon, tree, threshold).run();
-  pruneBumps(tree);
-
-  Axis axis;
-  if (isBlob(tree)) {
-    axis = diameter(polygon, tree.points[deepest(tree)]);
-  } else {
-    std::vector<uint32_t> renamed(tree.points.size());
-    for (uint32_t i = 0; i < tree.points.size(); ++i) {
-      if (!tree.alive[i]) continue;
-      renamed[i] = static_cast<uint32_t>(axis.points.size());
-      axis.points.push_back(tree.points[i]);
-      for (const uint32_t j : tree.neighbours[i]) {
-        if (j < i) axis.edges.push_back({renamed[j], renamed[i]});
-      }
-    }
-  }
-  // The times are smaller than the radii where a reflex corner's mitre has passed.
-  for (const Vec2 point : axis.points) axis.radii.push_back(distanceToBorder(polygon, point));
-  if (axis.edges.empty() || axis.edges.size() + 1 != axis.points.size()) {
+  Axis axis = Extracting(polygon, skeleton).run();
+  if (axis.edges.empty() || axis.points.size() != axis.edges.size() + 1) {
     return Status::skeletonFailed;
   }
   return axis;

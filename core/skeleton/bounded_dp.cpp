@@ -22,85 +22,118 @@ constexpr double kCorridor = 0.5;
 constexpr double kTie = 1e-9;
 // Samples that are looked at together, with the edges near them.
 constexpr size_t kChunk = 8;
-// Long straight edges get more points for the spline, this many steps apart, so that it rounds off
-// a corner near it and leaves the rest straight.
-constexpr double kSplineSpan = 3;
-constexpr int kSplineSteps = 4;  // per span; the curve's length is measured on them
+// A line is averaged over this part of the local radius to either side.
+constexpr double kSmooth = 0.5;
+constexpr int kRounds = 2;
 
-/// Barry and Goldman's pyramid for a Catmull–Rom span with knots t[0..3], between t[1] and t[2].
-Vec2 splinePoint(const Vec2 (&p)[4], const double (&t)[4], double at) {
-  const auto mix = [&](Vec2 a, Vec2 b, double from, double to) {
-    return (a * (to - at) + b * (at - from)) / (to - from);
-  };
-  const Vec2 a1 = mix(p[0], p[1], t[0], t[1]);
-  const Vec2 a2 = mix(p[1], p[2], t[1], t[2]);
-  const Vec2 a3 = mix(p[2], p[3], t[2], t[3]);
-  const Vec2 b1 = mix(a1, a2, t[0], t[2]);
-  const Vec2 b2 = mix(a2, a3, t[1], t[3]);
-  return mix(b1, b2, t[1], t[2]);
-}
-
-/// The polyline with its edges divided evenly into parts of at most `longest`.
-std::vector<Vec2> divided(const std::vector<Vec2>& line, double longest) {
-  std::vector<Vec2> points{line[0]};
-  for (size_t i = 0; i + 1 < line.size(); ++i) {
-    const int parts =
-        static_cast<int>(std::ceil(std::min(distance(line[i], line[i + 1]) / longest, 100.0)));
-    for (int k = 1; k < parts; ++k) points.push_back(lerp(line[i], line[i + 1], 1.0 * k / parts));
-    points.push_back(line[i + 1]);
-  }
-  return points;
-}
-
-/// Points on the centripetal Catmull–Rom spline through `axis`.
-std::vector<Vec2> splineThrough(const std::vector<Vec2>& axis) {
-  const size_t n = axis.size();
-  std::vector<Vec2> curve{axis[0]};
-  curve.reserve((n - 1) * kSplineSteps + 1);
-  for (size_t i = 0; i + 1 < n; ++i) {
-    const Vec2 p[4] = {i > 0 ? axis[i - 1] : 2 * axis[0] - axis[1], axis[i], axis[i + 1],
-                       i + 2 < n ? axis[i + 2] : 2 * axis[n - 1] - axis[n - 2]};
-    double t[4] = {0, 0, 0, 0};
-    for (int k = 1; k < 4; ++k) t[k] = t[k - 1] + std::sqrt(distance(p[k - 1], p[k]));
-    for (int k = 1; k < kSplineSteps; ++k) {
-      curve.push_back(splinePoint(p, t, t[1] + (t[2] - t[1]) * k / kSplineSteps));
+/// An open polyline by arc length.
+class Line {
+ public:
+  explicit Line(const std::vector<Vec2>& points) : points_(points) {
+    starts_.reserve(points.size());
+    integrals_.reserve(points.size());
+    starts_.push_back(0);
+    integrals_.push_back({});
+    for (size_t i = 0; i + 1 < points.size(); ++i) {
+      const double step = distance(points[i], points[i + 1]);
+      starts_.push_back(starts_.back() + step);
+      integrals_.push_back(integrals_.back() + (points[i] + points[i + 1]) * (step / 2));
     }
-    curve.push_back(axis[i + 1]);
   }
-  return curve;
+  double length() const { return starts_.back(); }
+  double arcAt(size_t i) const { return starts_[i]; }
+  /// The edge that holds this place; going up from `edge`.
+  size_t edgeAt(double arc, size_t edge = 0) const {
+    while (edge + 2 < starts_.size() && starts_[edge + 1] <= arc) ++edge;
+    return edge;
+  }
+  double into(size_t edge, double arc) const {
+    const double step = starts_[edge + 1] - starts_[edge];
+    return step > 0 ? std::clamp((arc - starts_[edge]) / step, 0.0, 1.0) : 0;
+  }
+  Vec2 at(size_t edge, double arc) const {
+    return lerp(points_[edge], points_[edge + 1], into(edge, arc));
+  }
+  Vec2 integral(size_t edge, double arc) const {
+    return integrals_[edge] + (points_[edge] + at(edge, arc)) * ((arc - starts_[edge]) / 2);
+  }
+
+ private:
+  const std::vector<Vec2>& points_;
+  std::vector<double> starts_;
+  std::vector<Vec2> integrals_;
+};
+
+BranchSample sampleAt(Vec2 point, double along, double radius) {
+  BranchSample sample;
+  sample.point = point;
+  sample.along = along;
+  sample.radius = radius;
+  return sample;
 }
 
-/// Points at even distances along a polyline; with_corners adds the polyline's own.
-std::vector<BranchSample> walk(const std::vector<Vec2>& line, double step, bool with_corners) {
-  double total = 0;
-  for (size_t i = 0; i + 1 < line.size(); ++i) total += distance(line[i], line[i + 1]);
-  step = std::max(step, total / kMaxSamples);
-  const size_t count = step > 0 ? static_cast<size_t>(std::ceil(total / step - 1e-6)) : 1;
-  step = total / std::max<size_t>(count, 1);
+void setLengths(std::vector<BranchSample>& samples) {
+  for (size_t i = 1; i < samples.size(); ++i) {
+    samples[i].along = samples[i - 1].along + distance(samples[i - 1].point, samples[i].point);
+  }
+}
 
+size_t countOf(double length, double step) {
+  step = std::max(step, length / kMaxSamples);
+  return step > 0 ? std::max<size_t>(2, static_cast<size_t>(std::ceil(length / step - 1e-6))) : 1;
+}
+
+/// Even samples of the line, averaged over about half the radius there, less towards its ends.
+std::vector<BranchSample> smoothed(const std::vector<Vec2>& points,
+                                   const std::vector<double>& radii, double step) {
+  const Line line(points);
+  const double total = line.length();
+  const size_t count = countOf(total, step);
   std::vector<BranchSample> samples;
-  samples.reserve(count + 1 + (with_corners ? line.size() : 0));
-  const auto put = [&](Vec2 point, double along) {
-    BranchSample sample;
-    sample.point = point;
-    sample.along = along;
-    samples.push_back(sample);
-  };
-  put(line[0], 0);
-  double start = 0;
-  size_t next = 1;
-  for (size_t i = 0; i + 1 < line.size(); ++i) {
-    const double length = distance(line[i], line[i + 1]);
-    for (; next < count && next * step < start + length; ++next) {
-      const double t = (next * step - start) / length;
-      // A sample that all but falls on a corner leaves the place to it.
-      if (with_corners && (t * length < 0.1 * step || (1 - t) * length < 0.1 * step)) continue;
-      put(lerp(line[i], line[i + 1], t), next * step);
+  samples.reserve(count + 1);
+  size_t edge = 0, low = 0;
+  for (size_t i = 0; i <= count; ++i) {
+    const double arc = total * static_cast<double>(i) / static_cast<double>(count);
+    edge = line.edgeAt(arc, edge);
+    const double t = line.into(edge, arc);
+    const double radius = radii[edge] + (radii[edge + 1] - radii[edge]) * t;
+    const double wide = std::min({kSmooth * radius, arc, total - arc});
+    Vec2 point = line.at(edge, arc);
+    if (wide > 1e-9 * total) {
+      low = line.edgeAt(arc - wide, 0);
+      const size_t high = line.edgeAt(arc + wide, edge);
+      point = (line.integral(high, arc + wide) - line.integral(low, arc - wide)) / (2 * wide);
     }
-    start += length;
-    if (with_corners && i + 2 < line.size()) put(line[i + 1], start);
+    samples.push_back(sampleAt(point, arc, radius));
   }
-  put(line.back(), total);
+  samples.front().point = points.front();
+  samples.back().point = points.back();
+  setLengths(samples);
+  return samples;
+}
+
+/// Points at even distances along a polyline, and the polyline's own.
+std::vector<BranchSample> walk(const std::vector<Vec2>& points, const std::vector<double>& radii,
+                               double step) {
+  const Line line(points);
+  const double total = line.length();
+  const size_t count = countOf(total, step);
+  step = total / static_cast<double>(count);
+  std::vector<BranchSample> samples;
+  samples.push_back(sampleAt(points[0], 0, radii[0]));
+  size_t next = 1;
+  for (size_t i = 0; i + 1 < points.size(); ++i) {
+    const double start = line.arcAt(i), length = line.arcAt(i + 1) - start;
+    for (; next < count && static_cast<double>(next) * step < start + length; ++next) {
+      const double t = (static_cast<double>(next) * step - start) / length;
+      // A sample that all but falls on a corner leaves the place to it.
+      if (t * length < 0.1 * step || (1 - t) * length < 0.1 * step) continue;
+      samples.push_back(sampleAt(lerp(points[i], points[i + 1], t),
+                                 static_cast<double>(next) * step,
+                                 radii[i] + (radii[i + 1] - radii[i]) * t));
+    }
+    samples.push_back(sampleAt(points[i + 1], line.arcAt(i + 1), radii[i + 1]));
+  }
   return samples;
 }
 
@@ -262,17 +295,53 @@ bool boneFits(const NearEdges& around, const std::vector<BranchSample>& samples,
 
 }  // namespace
 
-std::vector<BranchSample> sampleBranch(const Region& region, const std::vector<Vec2>& axis,
-                                       double step) {
-  if (axis.size() > 2) {
-    std::vector<BranchSample> samples =
-        walk(splineThrough(divided(axis, kSplineSpan * step)), step, false);
-    if (staysInside(region, samples)) {
-      measure(edgesOf(region.polygon), samples, 0, samples.size());
-      return samples;
+std::vector<BranchSample> sampleBranch(const Region& region, const std::vector<Vec2>& line,
+                                       const std::vector<double>& radii, double step) {
+  std::vector<BranchSample> samples = smoothed(line, radii, step);
+  for (int round = 1; round < kRounds; ++round) {
+    std::vector<Vec2> points;
+    std::vector<double> around;
+    for (const BranchSample& sample : samples) {
+      points.push_back(sample.point);
+      around.push_back(sample.radius);
     }
+    samples = smoothed(points, around, step);
   }
-  std::vector<BranchSample> samples = walk(axis, step, true);
+  if (!staysInside(region, samples)) samples = walk(line, radii, step);
+  measure(edgesOf(region.polygon), samples, 0, samples.size());
+  return samples;
+}
+
+BranchSample mirrored(const BranchSample& sample, const MirrorLine& mirror) {
+  BranchSample image = sample;
+  image.point = mirror.mirrored(sample.point);
+  // Left and right change places.
+  image.normal = mirror.through - mirror.mirrored(mirror.through + sample.normal);
+  std::swap(image.left, image.right);
+  return image;
+}
+
+std::vector<BranchSample> sampleMirroredBranch(const Region& region, const std::vector<Vec2>& line,
+                                               const std::vector<double>& radii, double step,
+                                               const MirrorLine& mirror) {
+  const std::vector<BranchSample> whole = sampleBranch(region, line, radii, step);
+  // The second half, from its first sample beyond the line on, and where that is met.
+  const bool left = mirror.side(line.back()) > 0;
+  size_t first = whole.size();
+  while (first > 0 && (mirror.side(whole[first - 1].point) > 0) == left) --first;
+  std::vector<BranchSample> samples;
+  for (size_t k = whole.size(); k-- > first;) {
+    samples.push_back(mirrored(whole[k], mirror));
+    // Walked the other way.
+    samples.back().normal = -samples.back().normal;
+    std::swap(samples.back().left, samples.back().right);
+  }
+  const BranchSample& nearest = whole[std::min(first, whole.size() - 1)];
+  BranchSample middle = nearest;
+  middle.point = mirror.foot(nearest.point);
+  samples.push_back(middle);
+  samples.insert(samples.end(), whole.begin() + static_cast<long>(first), whole.end());
+  setLengths(samples);
   measure(edgesOf(region.polygon), samples, 0, samples.size());
   return samples;
 }

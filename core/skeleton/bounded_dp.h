@@ -8,6 +8,7 @@
 
 #include "base/vec.h"
 #include "skeleton/inside.h"
+#include "sketch/mirror_line.h"
 
 namespace marrow {
 
@@ -24,13 +25,23 @@ struct BranchSample {
 
 /// Samples of a branch at even distances of about `step`, first and last point included.
 ///
-/// axis: the branch's points; its edges lie inside the region. Three or more are joined by a
-/// centripetal Catmull–Rom spline; where that would leave the region, the samples follow the
-/// polyline and contain all of its points. Every segment between samples lies inside it.
-/// At most kMaxSamples + the axis points.
-std::vector<BranchSample> sampleBranch(const Region& region, const std::vector<Vec2>& axis,
-                                       double step);
+/// line: the branch's points, with the inscribed radius at each; its edges lie inside the region.
+/// It is averaged over about half of the radius to either side: what a hand's tremor makes of the
+/// middle goes. Where that would leave the region, the samples follow the line and contain all of
+/// its points. Every segment between samples lies inside the region.
+/// At most kMaxSamples + the line's points, at least three.
+std::vector<BranchSample> sampleBranch(const Region& region, const std::vector<Vec2>& line,
+                                       const std::vector<double>& radii, double step);
 constexpr size_t kMaxSamples = 256;
+
+/// The same for a line whose one half is the mirror image of the other, with a point in the middle:
+/// the samples are so, too.
+std::vector<BranchSample> sampleMirroredBranch(const Region& region, const std::vector<Vec2>& line,
+                                               const std::vector<double>& radii, double step,
+                                               const MirrorLine& mirror);
+
+/// A sample in the mirror, of a branch that is walked the same way.
+BranchSample mirrored(const BranchSample& sample, const MirrorLine& mirror);
 
 struct BoundedDpOptions {
   double epsilon = 5.0;       // threshold, model units

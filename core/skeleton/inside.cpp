@@ -42,7 +42,8 @@ bool segmentInside(const std::vector<Vec2>& polygon, Vec2 a, Vec2 b) {
 
 bool segmentInside(const Region& region, Vec2 a, Vec2 b) {
   return segmentInside(region.polygon, a, b) &&
-         (!region.outline || segmentInside(*region.outline, a, b));
+         (!region.outline || segmentInside(*region.outline, a, b)) &&
+         (!region.image || segmentInside(*region.image, a, b));
 }
 
 bool segmentsInside(const std::vector<Vec2>& polygon, const std::vector<Vec2>& points,
@@ -77,6 +78,7 @@ bool segmentsInside(const std::vector<Vec2>& polygon, const std::vector<Vec2>& p
 NearEdges::NearEdges(const Region& region, const Box2& box) : box_(withSlack(box)) {
   add(region.polygon);
   if (region.outline) add(*region.outline);
+  if (region.image) add(*region.image);
 }
 
 void NearEdges::narrow(const NearEdges& others, const Box2& box) {

@@ -9,10 +9,12 @@
 
 namespace marrow {
 
-/// What bones must stay in: the polygon, and the outline it was simplified from where there is one.
+/// What bones must stay in: the polygon, the outline it was made from where there is one, and that
+/// one's mirror image where bones are mirrored.
 struct Region {
   const std::vector<Vec2>& polygon;
   const std::vector<Vec2>* outline = nullptr;
+  const std::vector<Vec2>* image = nullptr;
 };
 
 /// a, b: points inside the polygon. False also where the segment touches the border. O(n).

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 
 #include "skeleton/bounded_dp.h"
+#include "skeleton/branches.h"
+#include "skeleton/limb_joints.h"
 #include "sketch/polygon.h"
 
 namespace marrow {
@@ -19,31 +23,28 @@ BoundedDpOptions scaled(const JointOptions& options, double scale) {
 
 class Placement {
  public:
-  Placement(const Region& region, const Axis& axis, double scale, const JointOptions& options)
-      : region_(region), axis_(axis), step_(kSampleStep * scale), dp_(scaled(options, scale)) {
-    neighbours_.resize(axis.points.size());
-    for (const auto& edge : axis.edges) {
-      neighbours_[edge[0]].push_back(edge[1]);
-      neighbours_[edge[1]].push_back(edge[0]);
-    }
-  }
+  Placement(const Region& region, AxisBranches branches, const MirrorLine* mirror, double scale,
+            const JointOptions& options)
+      : region_(region),
+        axis_(std::move(branches)),
+        mirror_(mirror),
+        step_(kSampleStep * scale),
+        usual_(JointOptions().epsilon_s * scale),
+        dp_(scaled(options, scale)) {}
 
   PartSkeleton run() {
-    const uint32_t count = static_cast<uint32_t>(axis_.points.size());
-    std::vector<uint32_t> joint_of(count);
-    for (uint32_t i = 0; i < count; ++i) {
-      if (neighbours_[i].size() == 2) continue;
-      joint_of[i] = addJoint(axis_.points[i], distanceToBorder(region_.polygon, axis_.points[i]));
+    for (const AxisBranches::End& end : axis_.ends) {
+      addJoint(end.point, distanceToBorder(region_.polygon, end.point));
     }
-    for (uint32_t start = 0; start < count; ++start) {
-      if (neighbours_[start].size() == 2) continue;
-      for (const uint32_t next : neighbours_[start]) {
-        const std::vector<uint32_t> branch = branchFrom(start, next);
-        if (branch.back() < start) continue;  // met from its other end
-        addBones(branch, joint_of[start], joint_of[branch.back()]);
-      }
+    for (uint32_t b = 0; b < axis_.branches.size(); ++b) {
+      const AxisBranches::Branch& way = axis_.branches[b];
+      PartSkeleton::Branch branch =
+          mirror_ && way.image < b ? imageOf(result_.branches[way.image]) : branchAlong(way, b);
+      branch.image = way.image;
+      addBones(way, std::move(branch));
     }
     setKinds();
+    if (mirror_) result_.mirror = *mirror_;
     return std::move(result_);
   }
 
@@ -53,38 +54,41 @@ class Placement {
     return static_cast<uint32_t>(result_.joints.size() - 1);
   }
 
-  /// The axis points from one non-sleeve to the next.
-  std::vector<uint32_t> branchFrom(uint32_t start, uint32_t next) const {
-    std::vector<uint32_t> branch{start, next};
-    while (neighbours_[branch.back()].size() == 2) {
-      const uint32_t before = branch[branch.size() - 2];
-      const auto& around = neighbours_[branch.back()];
-      branch.push_back(around[0] == before ? around[1] : around[0]);
+  BranchEnd endOf(uint32_t end) const {
+    return {axis_.ends[end].branches > 1, result_.joints[end].radius};
+  }
+
+  /// Samples and levels.
+  PartSkeleton::Branch branchAlong(const AxisBranches::Branch& way, uint32_t index) const {
+    PartSkeleton::Branch branch;
+    const bool across = mirror_ && way.image == index &&
+                        axis_.ends[way.from].image == way.to && way.from != way.to;
+    branch.samples = across
+                         ? sampleMirroredBranch(region_, way.line, way.radii, step_, *mirror_)
+                         : sampleBranch(region_, way.line, way.radii, step_);
+    BoundedDpOptions all = dp_;
+    all.epsilon = 0;
+    branch.levels = branchLevels(region_, branch.samples, all);
+    addLimbJoints(branch.samples, endOf(way.from), endOf(way.to), usual_, branch.levels);
+    if (across) {
+      const size_t count = branch.levels.size();
+      for (size_t k = 0; k < count / 2; ++k) branch.levels[k] = branch.levels[count - 1 - k];
     }
     return branch;
   }
 
-  void addBones(const std::vector<uint32_t>& line, uint32_t from, uint32_t to) {
-    PartSkeleton::Branch branch;
-    branch.first_bone = static_cast<uint32_t>(result_.bones.size());
-    branch.joints.push_back(from);
-    if (line.size() == 2) {
-      // Along a single edge the inscribed radius is linear: one bone says it all.
-      const Vec2 a = axis_.points[line[0]], b = axis_.points[line[1]];
-      branch.samples.resize(2);
-      branch.samples[0].point = a;
-      branch.samples[0].radius = result_.joints[from].radius;
-      branch.samples[1].point = b;
-      branch.samples[1].radius = result_.joints[to].radius;
-      branch.samples[1].along = distance(a, b);
-      branch.levels.assign(2, std::numeric_limits<double>::infinity());
-    } else {
-      std::vector<Vec2> points;
-      for (const uint32_t i : line) points.push_back(axis_.points[i]);
-      branch.samples = sampleBranch(region_, points, step_);
-      branch.levels = branchLevels(region_, branch.samples, dp_);
-      branch.level_floor = dp_.epsilon;
+  PartSkeleton::Branch imageOf(const PartSkeleton::Branch& branch) const {
+    PartSkeleton::Branch image;
+    for (const BranchSample& sample : branch.samples) {
+      image.samples.push_back(mirrored(sample, *mirror_));
     }
+    image.levels = branch.levels;
+    return image;
+  }
+
+  void addBones(const AxisBranches::Branch& way, PartSkeleton::Branch branch) {
+    branch.first_bone = static_cast<uint32_t>(result_.bones.size());
+    branch.joints.push_back(way.from);
     const auto& samples = branch.samples;
     branch.at.push_back(0);
     for (uint32_t k = 1; k + 1 < samples.size(); ++k) {
@@ -92,7 +96,7 @@ class Placement {
       branch.joints.push_back(addJoint(samples[k].point, samples[k].radius));
       branch.at.push_back(k);
     }
-    branch.joints.push_back(to);
+    branch.joints.push_back(way.to);
     branch.at.push_back(static_cast<uint32_t>(samples.size() - 1));
     for (size_t k = 0; k + 1 < branch.joints.size(); ++k) {
       result_.bones.push_back({branch.joints[k], branch.joints[k + 1]});
@@ -114,10 +118,10 @@ class Placement {
   }
 
   Region region_;
-  const Axis& axis_;
-  double step_;
+  AxisBranches axis_;
+  const MirrorLine* mirror_;
+  double step_, usual_;
   BoundedDpOptions dp_;
-  std::vector<std::vector<uint32_t>> neighbours_;
   PartSkeleton result_;
 };
 
@@ -136,27 +140,32 @@ const char* toString(JointKind kind) {
 }
 
 Result<PartSkeleton> placeJoints(const std::vector<Vec2>& polygon, const Axis& axis, double scale,
-                                 const JointOptions& options, const std::vector<Vec2>* outline) {
+                                 const JointOptions& options, const std::vector<Vec2>* outline,
+                                 const MirrorLine* mirror) {
   if (polygon.size() < 3 || axis.edges.empty() || axis.points.size() != axis.edges.size() + 1) {
     return Status::skeletonFailed;
   }
   if (!std::isfinite(scale) || scale < 0) return Status::skeletonFailed;
-  return Placement({polygon, outline}, axis, scale, options).run();
-}
+  Region region{polygon, outline};
+  AxisBranches branches = branchesOf(region, axis);
+  if (!mirror) return Placement(region, std::move(branches), nullptr, scale, options).run();
 
-void completeLevels(PartSkeleton::Branch& branch, const std::vector<Vec2>& polygon, double scale,
-                    const JointOptions& options, const std::vector<Vec2>* outline) {
-  if (branch.level_floor <= 0) return;
-  BoundedDpOptions dp = scaled(options, scale);
-  dp.epsilon = 0;
-  std::vector<double> levels = branchLevels({polygon, outline}, branch.samples, dp);
-  // What is known already stays to the last bit; the rest lies below.
-  for (size_t i = 0; i < levels.size(); ++i) {
-    levels[i] = branch.levels[i] > branch.level_floor ? branch.levels[i]
-                                                      : std::min(levels[i], branch.level_floor);
+  auto both = mirroredBranches(branches, *mirror);
+  if (std::getenv("SYM") && !both) std::fprintf(stderr, "no both\n");
+  if (!both) return {Status::skeletonFailed, "The skeleton is not symmetric."};
+  std::vector<Vec2> image;
+  if (outline) {
+    for (const Vec2 p : *outline) image.push_back(mirror->mirrored(p));
+    region.image = &image;
   }
-  branch.levels = std::move(levels);
-  branch.level_floor = 0;
+  for (const AxisBranches::Branch& branch : both->branches) {
+    for (size_t k = 0; k + 1 < branch.line.size(); ++k) {
+      if (segmentInside(region, branch.line[k], branch.line[k + 1])) continue;
+      if (std::getenv("SYM")) std::fprintf(stderr, "leaves at %.1f %.1f - %.1f %.1f\n", branch.line[k].x, branch.line[k].y, branch.line[k+1].x, branch.line[k+1].y);
+      return {Status::skeletonFailed, "The symmetric skeleton leaves the shape."};
+    }
+  }
+  return Placement(region, std::move(*both), mirror, scale, options).run();
 }
 
 }  // namespace marrow

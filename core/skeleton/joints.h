@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/result.h"
@@ -41,28 +42,30 @@ struct PartSkeleton {
     uint32_t first_bone = 0;            // its bones, joints.size() − 1 of them, are in its order
     std::vector<BranchSample> samples;  // at least the two ends
     std::vector<uint32_t> at;           // sample of each joint
-    std::vector<double> levels;         // one per sample, see branchLevels; not told apart at and
-                                        // below `level_floor`
-    double level_floor = 0;
+    std::vector<double> levels;         // one per sample, see branchLevels and addLimbJoints
+
+    uint32_t image = 0;                 // the branch that is its mirror image, or itself; see mirror
 
     double length() const { return samples.back().along; }
   };
   std::vector<Joint> joints;                   // terminals and junctions first, then the sleeves
   std::vector<std::array<uint32_t, 2>> bones;  // pairs of joint indices
   std::vector<Branch> branches;
+  /// The line across which it is its own mirror image: joints on it are exactly on it, the others in
+  /// pairs, and so are branches. An image has the images of all samples and joints in the same
+  /// order; a branch that goes across the line is its own, backwards.
+  std::optional<MirrorLine> mirror;
 };
 
 /// scale: what epsilon_s is multiplied by, Outline::scale().
 /// outline: what the polygon was simplified from, if bones have to stay inside that too; the axis
 /// must do so.
-/// Every bone lies inside the polygon. Errors: skeletonFailed.
+/// mirror: the line across which the polygon is its own mirror image; the skeleton is so, too.
+/// Every bone lies inside the polygon. Errors: skeletonFailed, also where that cannot be had in the
+/// mirror as well: try without it.
 Result<PartSkeleton> placeJoints(const std::vector<Vec2>& polygon, const Axis& axis, double scale,
                                  const JointOptions& options = {},
-                                 const std::vector<Vec2>* outline = nullptr);
-
-/// Tells all levels of a branch apart, for thresholds below the one that placed its joints. The
-/// other arguments are those of placeJoints.
-void completeLevels(PartSkeleton::Branch& branch, const std::vector<Vec2>& polygon, double scale,
-                    const JointOptions& options = {}, const std::vector<Vec2>* outline = nullptr);
+                                 const std::vector<Vec2>* outline = nullptr,
+                                 const MirrorLine* mirror = nullptr);
 
 }  // namespace marrow

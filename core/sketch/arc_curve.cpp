@@ -58,8 +58,13 @@ Vec2 ArcCurve::integralOn(size_t edge, double arc) const {
 
 Vec2 ArcCurve::integral(double arc) const {
   if (arc >= 0 && arc < length()) return integralOn(find(arc), arc);
-  const double turns = std::floor(arc / length());
-  arc = wrap(arc);
+  double turns = std::floor(arc / length());
+  arc -= turns * length();
+  if (!(arc >= 0)) arc = 0;
+  if (arc >= length()) {  // a hair before a whole turn
+    arc = 0;
+    ++turns;
+  }
   return integralOn(find(arc), arc) + integrals_.back() * turns;
 }
 

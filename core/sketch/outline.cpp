@@ -10,6 +10,7 @@
 #include "sketch/polygon.h"
 #include "sketch/resample.h"
 #include "sketch/simplify.h"
+#include "sketch/steady.h"
 #include "sketch/stroke_ends.h"
 #include "sketch/tidy.h"
 #include "sketch/untangle.h"
@@ -47,6 +48,9 @@ constexpr double kToleranceCut = 0.7;
 // More than this are the frays of a scribble: the tolerance grows while the shape bears it.
 constexpr size_t kManyVertices = 250;
 constexpr int kCoarserRounds = 2;
+// More alike than this a shape and its mirror image are meant to be the same.
+constexpr double kAlike = 0.84;
+constexpr double kMirroredMiss = 0.02;  // as in skeletonPolygon
 constexpr double kOnLine = 1e-9;        // × the shape's diameter
 constexpr double kSpikeBySteps = 0.04;  // thinner spikes than this go,
 constexpr double kSpikeByWidth = 0.05;  // if they are that thin beside the shape as well
@@ -285,6 +289,46 @@ std::vector<Vec2> makePolygon(const Source& source, const LocalAndModel& dense) 
   return polygon;
 }
 
+/// Simple, or nothing.
+std::vector<Vec2> polygonOf(const Source& source, const std::vector<Vec2>& samples, double step) {
+  return finished(source, skeletonPolygon(samples, step)).model;
+}
+
+/// The skeleton's polygon, symmetric where that is wanted or seen.
+void setPolygon(const Source& source, std::optional<bool> symmetric, Outline& outline) {
+  const ArcCurve curve(source.loop);
+  double step = source.step;
+  std::vector<Vec2> samples;
+  std::vector<Vec2> polygon;
+  for (int halving = 0; halving <= kStepHalvings && polygon.empty(); ++halving, step /= 2) {
+    samples = steadyCurve(curve, step);
+    polygon = polygonOf(source, samples, step);
+  }
+  if (polygon.empty()) return;
+  step *= 2;
+  outline.polygon = std::move(polygon);
+  outline.mirror.reset();
+  const auto fit = findMirrorLine(samples);
+  outline.likeness = fit ? fit->overlap : 0;
+  if (!fit || !symmetric.value_or(fit->overlap >= kAlike)) return;
+  std::vector<Vec2> whole = mirroredWhole(*fit);
+  // The vertices of the one half, and their images.
+  const size_t half = whole.size() / 2;
+  std::vector<uint32_t> kept = simplify(whole, kMirroredMiss * step);
+  std::sort(kept.begin(), kept.end());
+  std::vector<Vec2> few{whole[0]};
+  for (const uint32_t i : kept) {
+    if (i > 0 && i < half) few.push_back(whole[i]);
+  }
+  const size_t own = few.size();
+  few.push_back(whole[half]);
+  for (size_t i = own; i-- > 1;) few.push_back(fit->line.mirrored(few[i]));
+  polygon = finished(source, bevelled(few, step)).model;
+  if (polygon.empty()) return;
+  outline.polygon = std::move(polygon);
+  outline.mirror = MirrorLine{source.frame.toModel(fit->line.through), fit->line.along};
+}
+
 }  // namespace
 
 Result<Outline> makeOutline(const std::vector<Vec2>& stroke, const OutlineOptions& options) {
@@ -311,6 +355,7 @@ Result<Outline> makeOutline(const std::vector<Vec2>& stroke, const OutlineOption
     dense = makeDense(source);
     if (dense.model.empty()) return Status::noArea;
     outline.polygon = makePolygon(source, dense);
+    setPolygon(source, options.symmetric, outline);
     const bool few = dense.model.size() <= kMostDense && outline.polygon.size() <= kMostInPolygon;
     if (few || bits < kFewestBits) break;
     auto coarser = outerBoundary(snapped(loop.points, bits));

@@ -1,10 +1,12 @@
 // Stroke → outline  [RS §3.1 "Simple polygon acquisition"]
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "base/result.h"
 #include "base/vec.h"
+#include "sketch/mirror_line.h"
 
 namespace marrow {
 
@@ -17,12 +19,16 @@ struct OutlineOptions {
                            // shapes, coarser for small ones drawn on whole pixels
   double tolerance = 3.0;  // Douglas–Peucker for `polygon`, units at the reference perimeter;
                            // smaller for thin shapes
+  std::optional<bool> symmetric;  // whether `polygon` is to be its own mirror image; unset: where
+                                  // what was drawn nearly is
 };
 
 struct Outline {
   std::vector<Vec2> dense;    // what the hand drew, evenly sampled, corners kept, straight sides in
                               // one piece; for the mesh
-  std::vector<Vec2> polygon;  // simplified; input of the skeleton
+  std::vector<Vec2> polygon;  // smoother, with few vertices; input of the skeleton
+  std::optional<MirrorLine> mirror;  // where `polygon` is its own mirror image
+  double likeness = 0;  // of `dense` to its mirror image across the best line: MirrorFit::overlap
   double perimeter = 0;       // of `dense`, model units
   bool crossed_itself = false;  // the stroke did: `dense` is the border of its largest piece
 

@@ -5,7 +5,7 @@
 //   growth     straight skeletons and the chordal axis as the polygon grows
 //   cold       the first calls in this process
 //   rig        whole characters: to the rig, opened, dragged, refined; FILEs are documents
-//   quality    how good rigs are; the same on every machine
+//   quality    how good rigs are; the same on every machine; FILEs are strokes in place of ours
 //   missed     of the joints that people place, those that rigs lack, on the standard error
 //   model      characters merged, weighted, posed and written; FILEs are documents
 //   character  the document of 60 strokes that is dragged and refined
@@ -210,7 +210,7 @@ int run(int argc, char** argv) {
   } else if (what == "rig") {
     rigs(quick, files);
   } else if (what == "quality") {
-    quality();
+    quality(files);
   } else if (what == "missed") {
     missedJoints();
   } else if (what == "model") {

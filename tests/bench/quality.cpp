@@ -2,8 +2,22 @@
 
 #include "bench/creatures.h"
 #include "bench/placed_joints.h"
+#include "bench/skeleton_quality.h"
 
 namespace marrow::bench {
+namespace {
+
+std::vector<strokes::NamedStroke> ourDrawings() {
+  std::vector<strokes::NamedStroke> drawings = strokes::realStrokes();
+  for (PlacedDrawing& drawing : placedDrawings()) {
+    const bool known = std::any_of(drawings.begin(), drawings.end(),
+                                   [&](const auto& one) { return one.name == drawing.name; });
+    if (!known) drawings.push_back({drawing.name, std::move(drawing.points)});
+  }
+  return drawings;
+}
+
+}  // namespace
 
 void printQuality(const std::vector<QualityRow>& rows) {
   for (const QualityRow& row : rows) {
@@ -15,6 +29,18 @@ void printQuality(const std::vector<QualityRow>& rows) {
   }
 }
 
-void quality() { printQuality(placedJoints()); }
+void quality(const std::vector<std::string>& paths) {
+  if (paths.empty()) {
+    printQuality(placedJoints());
+    printQuality(skeletonQuality(ourDrawings()));
+    return;
+  }
+  std::vector<strokes::NamedStroke> drawings;
+  for (const std::string& path : paths) {
+    const auto json = nlohmann::json::parse(strokes::readText(path));
+    drawings.push_back({json.value("name", path), strokes::toStroke(json.at("points"))});
+  }
+  printQuality(skeletonQuality(drawings, true));
+}
 
 }  // namespace marrow::bench

@@ -20,7 +20,8 @@ struct QualityRow {
 /// Writes a JSON object a line.
 void printQuality(const std::vector<QualityRow>& rows);
 
-/// Measures and writes all rows.
-void quality();
+/// Measures and writes all rows; with paths of strokes, only those that need nothing but strokes,
+/// and what is worst to the standard error.
+void quality(const std::vector<std::string>& paths);
 
 }  // namespace marrow::bench

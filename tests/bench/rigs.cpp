@@ -59,9 +59,9 @@ void wholeRig(const Creature& creature, Effort effort) {
   Evaluation evaluation;
   evaluation.update(creature.document);
   const std::vector<RigPart> parts = evaluation.rigParts();
-  const char* const names[] = {"outline", "straightSkeleton", "axis",       "joints",
-                               "levels",  "connection",       "refinement", "total"};
-  std::array<std::vector<double>, 8> times;
+  const char* const names[] = {"outline",    "straightSkeleton", "axis", "joints",
+                               "connection", "refinement",       "total"};
+  std::array<std::vector<double>, 7> times;
   size_t joints = 0;
   std::vector<SubSkeleton> made(creature.document.parts.size());
   const double end_ms = now() + effort.budget_ms;
@@ -72,12 +72,6 @@ void wholeRig(const Creature& creature, Effort effort) {
       (void)makeSubSkeleton(creature.document.parts[i]->stroke, made[i], stages_ms);
     }
     const double skeletons_ms = now();
-    for (SubSkeleton& one : made) {
-      for (auto& branch : one.skeleton.branches) {
-        completeLevels(branch, one.outline.polygon, one.outline.scale(), {}, &one.outline.dense);
-      }
-    }
-    const double levels_ms = now();
     const std::vector<Connection> connections = connectParts(parts);
     const double connected_ms = now();
     const Rig rig = refineRig(parts, connections, creature.document.refine);
@@ -85,10 +79,9 @@ void wholeRig(const Creature& creature, Effort effort) {
     if (run < 0) continue;
     joints = rig.joints.size();
     for (size_t i = 0; i < 4; ++i) times[i].push_back(stages_ms[i]);
-    times[4].push_back(levels_ms - skeletons_ms);
-    times[5].push_back(connected_ms - levels_ms);
-    times[6].push_back(refined_ms - connected_ms);
-    times[7].push_back(refined_ms - start_ms);
+    times[4].push_back(connected_ms - skeletons_ms);
+    times[5].push_back(refined_ms - connected_ms);
+    times[6].push_back(refined_ms - start_ms);
   }
   Json row{{"bench", "rig"},
            {"creature", creature.name},
