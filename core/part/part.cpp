@@ -87,7 +87,9 @@ std::optional<Error> makeSkeleton(const std::vector<Vec2>& stroke, const PartOpt
     part.straight_skeleton = std::move(*straight);
     watch.lap("straightSkeleton");
 
-    auto axis = extractAxis(part.outline.polygon, part.straight_skeleton, options.axis);
+    AxisOptions axial = options.axis;
+    axial.mirror = part.outline.mirror;
+    auto axis = extractAxis(part.outline.polygon, part.straight_skeleton, axial);
     if (!axis) return axis.error();
     part.axis = std::move(*axis);
     watch.lap("axis");

@@ -31,7 +31,17 @@ constexpr double kGoesOnTo = 0.7;
 constexpr double kForkFrom = 0.35;
 constexpr double kForkTo = 0.75;
 // Where a limb's last joint lies: this part of the limb's mean radius from the outline.
-constexpr double kFromEnd = 0.5;
+static const double kFromEnd = std::getenv("FROMEND") ? std::atof(std::getenv("FROMEND")) : 0.9;
+// Nearer, but not nearer than this, where it would be too near to the junction that the limb comes
+// from: by this part of the radius there.
+constexpr double kNearestEnd = 0.35;
+constexpr double kLeastBone = 0.75;
+// A body with limbs thinner than this part of its radius alone, and none in more than so wide an
+// angle (150°), has a bone of its own there.
+constexpr double kBodyLimb = 0.8;
+constexpr double kBodyShare = 0.4;  // of the whole area, at least
+constexpr double kOnLine = 0.05;
+constexpr double kBodyGap = 1.87;
 // The way from the last balls that tells where a limb points, in radii.
 constexpr double kAim = 1.5;
 // An axis shorter than this many radii is a point: a blob.
@@ -233,8 +243,9 @@ class Tree {
 
 class Extracting {
  public:
-  Extracting(const std::vector<Vec2>& polygon, const StraightSkeleton& skeleton)
-      : polygon_(polygon), tree_(polygon, skeleton) {
+  Extracting(const std::vector<Vec2>& polygon, const StraightSkeleton& skeleton,
+             const MirrorLine* mirror)
+      : polygon_(polygon), mirror_(mirror), tree_(polygon, skeleton) {
     const double across = std::sqrt(std::fabs(signedArea(polygon)));
     const double round = perimeter(polygon);
     size_ = 0; (void)across; (void)round;
@@ -369,10 +380,63 @@ class Extracting {
       }
       finishEnd(way);
     }
-    if (!root_ends) return;
+    if (!root_ends) return addBody();
     std::vector<uint32_t> way{0};
     while (kept_[way.back()].children == 1) way.push_back(child[way.back()]);
     finishEnd(way);
+  }
+
+  /// A body whose limbs all leave it on one side gets a bone towards the other.
+  void addBody() {
+    const Kept root = kept_[0];
+    if (mirror_ && std::fabs(mirror_->side(root.point)) > kOnLine * root.radius) return;
+    const double ball = 3.14159265358979 * root.radius * root.radius;
+    if (ball < kBodyShare * signedArea(polygon_)) return;
+    const uint32_t count = static_cast<uint32_t>(kept_.size());
+    // Where its limbs leave its ball, or end in it.
+    std::vector<Vec2> ways;
+    for (uint32_t i = 1; i < count; ++i) {
+      const Kept& one = kept_[i];
+      const Vec2 away = one.point - root.point, before = kept_[one.parent].point - root.point;
+      const bool ends = one.children == 0 && length(away) < root.radius;
+      const bool leaves = length(away) >= root.radius && length(before) < root.radius;
+      if ((ends || leaves) && length(away) > 0) ways.push_back(away / length(away));
+    }
+    for (const uint32_t child : tree_.childrenOf(root.node)) {
+      // Is it the body that goes on there?
+      uint32_t at = child;
+      double along = tree_.nodes[at].to_parent;
+      while (along < 0.5 * root.radius && tree_.nodes[at].onward != kNone) {
+        at = tree_.nodes[at].onward;
+        along += tree_.nodes[at].to_parent;
+      }
+      if (along >= 0.5 * root.radius && tree_.nodes[at].radius > kBodyLimb * root.radius) return;
+    }
+    if (ways.size() < 2) return;
+    // The widest gap between them, counter-clockwise; it grows with the angle: 2 for half a turn.
+    double widest = 0;
+    Vec2 middle;
+    for (const Vec2 a : ways) {
+      double least = 4;
+      Vec2 next;
+      for (const Vec2 b : ways) {
+        const double turn = cross(a, b) >= 0 ? 1 - dot(a, b) : 3 + dot(a, b);
+        if (b == a || turn >= least) continue;
+        least = turn;
+        next = b;
+      }
+      if (!(least < 4) || least <= widest) continue;
+      widest = least;
+      middle = perpendicular(a) - perpendicular(next);
+    }
+    if (widest < kBodyGap || !(length(middle) > 0)) return;
+    middle = middle / length(middle);
+    const double room = exitOf(polygon_, root.point, middle);
+    const Vec2 place = root.point + middle * std::min(kLeastBone * root.radius,
+                                                     room - kNearestEnd * root.radius);
+    if (!segmentInside(polygon_, root.point, place)) return;
+    kept_.push_back({place, distanceToBorder(polygon_, place), 0, kNone});
+    ++kept_[0].children;
   }
 
   /// way: from an end to the next junction or the other end.
@@ -390,9 +454,9 @@ class Extracting {
       radii += step * (kept_[way[k]].radius + kept_[way[k + 1]].radius) / 2;
       total += step;
     }
-    const double limb = total > 0 ? radii / total : end.radius;
+    const double limb = std::max(total > 0 ? radii / total : 0, end.radius);
     // Where it may end or go on, it ends between what comes of both.
-    std::vector<Vec2> places{bluntEnd(line, end.radius, limb)};
+    std::vector<Vec2> places{bluntEnd(line, end.radius, limb, ball)};
     std::vector<double> ends{end.ends};
     std::vector<Vec2> longer = line;
     double inside = end.inside;
@@ -401,7 +465,7 @@ class Extracting {
       if (i == kNone) break;
       inside -= tree_.nodes[i].to_parent;
       longer.insert(longer.begin(), tree_.nodes[i].point);
-      places.push_back(bluntEnd(longer, tree_.nodes[i].radius, limb));
+      places.push_back(bluntEnd(longer, tree_.nodes[i].radius, limb, ball));
       const uint32_t next = onwardFrom(i);
       ends.push_back(next == kNone ? 1 : std::max(ends.back(), endsAt(i, next, inside > 0)));
     }
@@ -416,7 +480,8 @@ class Extracting {
   }
 
   /// Where a limb has its last joint, on or behind the end of its axis, which is the line's front.
-  Vec2 bluntEnd(const std::vector<Vec2>& line, double radius, double limb) const {
+  /// ball: of the junction at the line's back, 0 where there is none.
+  Vec2 bluntEnd(const std::vector<Vec2>& line, double radius, double limb, double ball) const {
     Vec2 from = line.back();
     double back = 0;
     for (size_t k = 0; k + 1 < line.size(); ++k) {
@@ -431,7 +496,11 @@ class Extracting {
     const double size = length(towards);
     if (!(size > 0)) return line.front();
     const double room = exitOf(polygon_, line.front(), towards / size);
-    return line.front() + towards * (std::max(0.0, room - kFromEnd * limb) / size);
+    double total = room;
+    for (size_t k = 0; k + 1 < line.size(); ++k) total += distance(line[k], line[k + 1]);
+    const double from_end =
+        std::min(kFromEnd * limb, std::max(kNearestEnd * limb, total - kLeastBone * ball));
+    return line.front() + towards * (std::max(0.0, room - from_end) / size);
   }
 
   /// One bone along the longer direction of the area; of what has none, upright.
@@ -467,6 +536,7 @@ class Extracting {
   }
 
   const std::vector<Vec2>& polygon_;
+  const MirrorLine* mirror_;
   Tree tree_;
   double size_ = 0;
   std::vector<Kept> kept_;
@@ -475,12 +545,12 @@ class Extracting {
 }  // namespace
 
 Result<Axis> extractAxis(const std::vector<Vec2>& polygon, const StraightSkeleton& skeleton,
-                         const AxisOptions&) {
+                         const AxisOptions& options) {
   const size_t n = polygon.size();
   if (n < 3 || skeleton.nodes.size() <= n || skeleton.times.size() != skeleton.nodes.size()) {
     return Status::skeletonFailed;
   }
-  Axis axis = Extracting(polygon, skeleton).run();
+  Axis axis = Extracting(polygon, skeleton, options.mirror ? &*options.mirror : nullptr).run();
   if (axis.edges.empty() || axis.points.size() != axis.edges.size() + 1) {
     return Status::skeletonFailed;
   }

@@ -4,16 +4,18 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/result.h"
 #include "base/vec.h"
 #include "skeleton/straight_skeleton.h"
+#include "sketch/mirror_line.h"
 
 namespace marrow {
 
 struct AxisOptions {
-  double collapse_ratio = 0.5;  // × the mean skeleton-edge length: shorter edges are collapsed
+  std::optional<MirrorLine> mirror;  // across which the polygon is its own mirror image
 };
 
 struct Axis {

@@ -1,27 +1,34 @@
 #include "skeleton/branches.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <tuple>
+
+#include "base/sets.h"
 
 namespace marrow {
 namespace {
 
 constexpr uint32_t kNone = 0xFFFFFFFF;
-// Junctions are one where all ways between them are shorter than this part of their smaller radius.
-static const double kOne = std::getenv("ONE") ? std::atof(std::getenv("ONE")) : 0.02;
 // A limb is thinner than the ball that it leaves: the less the nearer to this part of its radius,
 constexpr double kAsThick = 0.95;
 // and wholly a limb from this much thinner on.
 constexpr double kThinner = 0.3;
-// Its mouth lies between these parts of the ball's radius from the ball's middle,
-constexpr double kMouthFrom = 0.45;
-constexpr double kMouthTo = 0.9;
-// as soon as the limb is nearly as thin as it is on the whole.
-constexpr double kNearlyThin = 1.25;
-// The way from the middle of a body's last ball to between its limbs that their joint takes.
-static const double kTowardsLimbs = std::getenv("TOWARDS") ? std::atof(std::getenv("TOWARDS")) : 0;
+// Its joint at the body lies on the line of its first stretch, so many of its radii long, prolonged
+// into the body up to this part of the ball's radius from its middle.
+constexpr double kStretch = 2.5;
+static const double kMouth = std::getenv("MOUTH") ? std::atof(std::getenv("MOUTH")) : 0.6;
+// A body's joint lies nearer to the limbs at its end than the middle of its last ball does: of the
+// way to the middle between their joints, this part.
+static const double kTowardsLimbs = std::getenv("TOWARDS") ? std::atof(std::getenv("TOWARDS")) : 0.8;
+// Where the body goes on thinner beyond limbs, as a trunk does in a neck, it lies this part of the
+// radius nearer to that,
+static const double kTowardsNeck = std::getenv("NECK") ? std::atof(std::getenv("NECK")) : 0.25;
+// if that is thinner by this part of the radius, in the first stretch of so many radii.
+constexpr double kNeck = 0.3;
+constexpr double kNeckStretch = 2.5;
 
 using Branch = AxisBranches::Branch;
 
@@ -31,6 +38,12 @@ double lengthOf(const Branch& branch) {
     sum += distance(branch.line[k], branch.line[k + 1]);
   }
   return sum;
+}
+
+/// Its line alone.
+void reverse(Branch& branch) {
+  std::reverse(branch.line.begin(), branch.line.end());
+  std::reverse(branch.radii.begin(), branch.radii.end());
 }
 
 AxisBranches divided(const Axis& axis) {
@@ -72,230 +85,291 @@ AxisBranches divided(const Axis& axis) {
   return found;
 }
 
+/// A branch seen from one of its ends.
+class View {
+ public:
+  View(const Branch& branch, bool backwards) : branch_(branch), backwards_(backwards) {}
+  size_t count() const { return branch_.line.size(); }
+  Vec2 point(size_t k) const { return branch_.line[at(k)]; }
+  double radius(size_t k) const { return branch_.radii[at(k)]; }
+
+  struct Place {
+    Vec2 point;
+    size_t next;  // the first point behind it
+    bool within;  // the branch is that long
+  };
+  Place placeAt(double along) const {
+    for (size_t k = 1; k < count(); ++k) {
+      const double step = distance(point(k - 1), point(k));
+      if (along <= step && step > 0) return {lerp(point(k - 1), point(k), along / step), k, true};
+      along -= step;
+    }
+    return {point(count() - 1), count(), false};
+  }
+  /// The mean radius from there on; 0 where there is nothing.
+  double meanRadius(double from) const {
+    double along = 0, sum = 0, length = 0;
+    for (size_t k = 1; k < count(); ++k) {
+      const double step = distance(point(k - 1), point(k));
+      along += step;
+      if (along <= from) continue;
+      sum += step * (radius(k - 1) + radius(k)) / 2;
+      length += step;
+    }
+    return length > 0 ? sum / length : 0;
+  }
+  double leastRadius(double to) const {
+    double along = 0, least = radius(0);
+    for (size_t k = 1; k < count() && along < to; ++k) {
+      along += distance(point(k - 1), point(k));
+      least = std::min(least, radius(k));
+    }
+    return least;
+  }
+
+ private:
+  size_t at(size_t k) const { return backwards_ ? count() - 1 - k : k; }
+  const Branch& branch_;
+  bool backwards_;
+};
+
+/// Gives junctions and the beginnings of limbs the places that joints have there.
 class Arranging {
  public:
   Arranging(const Region& region, AxisBranches& found) : region_(region), found_(found) {}
 
   void run() {
-    unite();
+    findMouths();
+    becomeOne();
+    // What was between two that are one is gone, and all others may have other mouths.
+    findMouths();
+    std::vector<Vec2> places;
     for (uint32_t e = 0; e < found_.ends.size(); ++e) {
-      if (found_.ends[e].branches < 3) continue;
-      const Vec2 from = found_.ends[e].point, to = towardsLimbs(e);
-      for (const double part : {1.0, 0.5, 0.25}) {
-        if (!canMove(e, lerp(from, to, part))) continue;
-        move(e, e, lerp(from, to, part));
-        break;
-      }
+      places.push_back(isJunction(e) ? placeOf(e) : found_.ends[e].point);
     }
+    for (size_t b = 0; b < found_.branches.size(); ++b) redraw(found_.branches[b], mouths_[b], places);
+    for (uint32_t e = 0; e < found_.ends.size(); ++e) found_.ends[e].point = places[e];
   }
 
  private:
-  void unite() {
-    struct Junction {
-      Vec2 point;
-      double radius;
-      std::vector<double> ways;  // to all
-    };
-    const size_t count = found_.ends.size();
-    std::vector<std::vector<double>> ways(count);
+  /// Where a branch becomes a limb of its own.
+  struct Mouth {
+    double limb = 0;  // how much of a limb it is, 0 … 1
+    Vec2 place;       // the joint
+    double along = 0; // of the axis, from there on it is the limb's
+    double thin = 0;  // the least radius of its first stretch
+    Vec2 towards;     // where it leaves the ball
+  };
+
+  bool isJunction(uint32_t e) const { return found_.ends[e].branches > 2; }
+
+  void findMouths() {
+    mouths_.clear();
+    for (const Branch& branch : found_.branches) {
+      mouths_.push_back({mouthOf(branch, false), mouthOf(branch, true)});
+    }
+  }
+
+  /// Junctions too near to each other for a bone become one, in their middle. Two that have a pair of
+  /// limbs each, as hips and shoulders, are joints of their own even in a stout body; many limbs that
+  /// leave a body side by side do so from one joint even where they are farther apart.
+  void becomeOne() {
+    static const double kOne = std::getenv("ONE") ? std::atof(std::getenv("ONE")) : 0.35;
+    static const double kPairs = std::getenv("PAIRS") ? std::atof(std::getenv("PAIRS")) : 0.12;
+    static const double kCrowded = std::getenv("CROWDED") ? std::atof(std::getenv("CROWDED")) : 0.8;
+    static const int kCrowd = std::getenv("CROWD") ? std::atoi(std::getenv("CROWD")) : 7;
+    const auto count = found_.ends.size();
+    std::vector<double> limbs(count, 0);
+    for (size_t b = 0; b < found_.branches.size(); ++b) {
+      limbs[found_.branches[b].from] += mouths_[b][0].limb;
+      limbs[found_.branches[b].to] += mouths_[b][1].limb;
+    }
+    Sets near(count), crowds(count);
+    for (const Branch& branch : found_.branches) {
+      if (!isJunction(branch.from) || !isJunction(branch.to)) continue;
+      const double ball = std::min(found_.ends[branch.from].radius, found_.ends[branch.to].radius);
+      const double apart = lengthOf(branch) / ball;
+      const bool pairs = std::min(limbs[branch.from], limbs[branch.to]) > 1.5;
+      if (apart < (pairs ? kPairs : kOne)) near.join(branch.from, branch.to);
+      if (apart < kCrowded) crowds.join(branch.from, branch.to);
+    }
+    std::vector<int> single(count, 0);
+    for (const Branch& branch : found_.branches) {
+      for (const uint32_t e : {branch.from, branch.to}) {
+        const uint32_t other = e == branch.from ? branch.to : branch.from;
+        if (isJunction(e) && !isJunction(other)) ++single[crowds.find(e)];
+      }
+    }
+    std::vector<uint32_t> one(count);
+    std::vector<Vec2> sums(count);
+    std::vector<double> counts(count, 0);
     for (uint32_t e = 0; e < count; ++e) {
-      if (found_.ends[e].branches > 2) ways[e] = waysFrom(e);
+      one[e] = single[crowds.find(e)] >= kCrowd ? crowds.find(e) : near.find(e);
+      sums[one[e]] = sums[one[e]] + found_.ends[e].point;
+      counts[one[e]] += 1;
     }
-    std::vector<std::vector<uint32_t>> members(count);
-    for (uint32_t e = 0; e < count; ++e) members[e] = {e};
-    const std::vector<AxisBranches::End> were = found_.ends;
-    static const int kMode = std::getenv("MODE") ? std::atoi(std::getenv("MODE")) : 2;
-    std::vector<uint32_t> group(count, kNone);
-    if (kMode == 1) {  // largest ball first
-      std::vector<uint32_t> order;
-      for (uint32_t e = 0; e < count; ++e) if (were[e].branches > 2) order.push_back(e);
-      std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return were[a].radius > were[b].radius; });
-      for (const uint32_t e : order) {
-        if (group[e] != kNone) continue;
-        group[e] = e;
-        for (const uint32_t o : order) if (group[o] == kNone && ways[e][o] < kOne * std::min(were[e].radius, were[o].radius)) group[o] = e;
-      }
+    for (uint32_t e = 0; e < count; ++e) {
+      if (counts[one[e]] < 2) continue;
+      found_.ends[one[e]].radius = std::max(found_.ends[one[e]].radius, found_.ends[e].radius);
     }
-    for (;;) {
-      double least = kMode == 1 ? 1e9 : kOne;
-      size_t best = found_.branches.size();
-      for (size_t b = 0; b < found_.branches.size(); ++b) {
-        const Branch& branch = found_.branches[b];
-        if (found_.ends[branch.from].branches < 3 || found_.ends[branch.to].branches < 3) continue;
-        double ratio = kMode == 2 ? 1e9 : 0;
-        for (const uint32_t i : members[branch.from]) {
-          for (const uint32_t j : members[branch.to]) {
-            const double r = ways[i][j] / std::min(were[i].radius, were[j].radius);
-            if (kMode == 2) ratio = std::min(ratio, r); else ratio = std::max(ratio, r);
-          }
-        }
-        if (kMode == 1 && group[members[branch.from][0]] != group[members[branch.to][0]]) continue;
-        if (!(ratio < least)) continue;
-        Vec2 sum;
-        double all = 0;
-        for (const uint32_t e : {branch.from, branch.to}) {
-          for (const uint32_t i : members[e]) {
-            sum = sum + were[i].point;
-            ++all;
-          }
-        }
-        if (!canUnite(b, sum / all)) continue;
-        least = ratio;
-        best = b;
-        middle_ = sum / all;
+    for (size_t b = 0; b < found_.branches.size();) {
+      Branch& branch = found_.branches[b];
+      if (one[branch.from] == one[branch.to]) {
+        found_.branches.erase(found_.branches.begin() + static_cast<long>(b));
+        continue;
       }
-      if (best == found_.branches.size()) return;
-      const uint32_t from = found_.branches[best].from, to = found_.branches[best].to;
-      members[from].insert(members[from].end(), members[to].begin(), members[to].end());
-      contract(best, middle_);
+      for (const bool backwards : {false, true}) {
+        uint32_t& e = backwards ? branch.to : branch.from;
+        if (counts[one[e]] > 1) goTo(branch, backwards, sums[one[e]] / counts[one[e]]);
+        e = one[e];
+      }
+      ++b;
+    }
+    for (uint32_t e = 0; e < count; ++e) {
+      if (counts[e] > 1) found_.ends[e].point = sums[e] / counts[e];
+      found_.ends[e].branches = 0;
+    }
+    for (const Branch& branch : found_.branches) {
+      ++found_.ends[branch.from].branches;
+      ++found_.ends[branch.to].branches;
     }
   }
 
-  /// Along the axis, to all ends.
-  std::vector<double> waysFrom(uint32_t start) const {
-    std::vector<double> ways(found_.ends.size(), -1);
-    ways[start] = 0;
-    std::vector<uint32_t> todo{start};
-    while (!todo.empty()) {
-      const uint32_t e = todo.back();
-      todo.pop_back();
-      for (const Branch& branch : found_.branches) {
-        if (branch.from != e && branch.to != e) continue;
-        const uint32_t other = branch.from == e ? branch.to : branch.from;
-        if (ways[other] >= 0) continue;
-        ways[other] = ways[e] + lengthOf(branch);
-        todo.push_back(other);
-      }
-    }
-    return ways;
+  /// Lets a branch begin (or end) elsewhere, by what it has at least as far away.
+  void goTo(Branch& branch, bool backwards, Vec2 to) const {
+    if (backwards) reverse(branch);
+    const double by = distance(branch.line[0], to);
+    size_t next = 1;
+    while (next + 1 < branch.line.size() && distance(branch.line[next], branch.line[0]) < by) ++next;
+    if (!segmentInside(region_, to, branch.line[next])) next = 0;
+    branch.line.erase(branch.line.begin(), branch.line.begin() + static_cast<long>(next));
+    branch.radii.erase(branch.radii.begin() + 1, branch.radii.begin() + static_cast<long>(next ? next : 1));
+    branch.line.insert(branch.line.begin(), to);
+    if (branch.radii.size() < branch.line.size()) branch.radii.insert(branch.radii.begin(), branch.radii[0]);
+    if (backwards) reverse(branch);
   }
 
-  /// The end of a body between two limbs or more: their joint lies nearer to them than the middle
-  /// of the body's last ball does.
-  Vec2 towardsLimbs(uint32_t e) const {
+  Mouth mouthOf(const Branch& branch, bool backwards) const {
+    Mouth mouth;
+    const auto& end = found_.ends[backwards ? branch.to : branch.from];
+    if (end.branches < 3) return mouth;
+    const View view(branch, backwards);
+    const double ball = end.radius, length = lengthOf(branch);
+    const double body = view.meanRadius(ball);
+    mouth.thin = view.leastRadius(kNeckStretch * ball);
+    const auto exit = view.placeAt(ball);
+    mouth.towards = exit.point;
+    if (!(body > 0) || !exit.within) return mouth;
+    mouth.limb = std::clamp((kAsThick - body / ball) / kThinner, 0.0, 1.0) *
+                 std::clamp((length - ball) / body, 0.0, 1.0);
+    const auto ahead = view.placeAt(std::min(length, ball + kStretch * body));
+    const Vec2 back = exit.point - ahead.point;
+    const double size = std::sqrt(dot(back, back));
+    if (!(size > 0)) return Mouth{};
+    // Where the limb's line comes that near to the middle of the ball, or passes it.
+    const Vec2 away = exit.point - end.point, line = back / size;
+    const double near = -dot(away, line), aside = cross(line, away);
+    const double half = kMouth * kMouth * ball * ball - aside * aside;
+    const double prolonged = std::max(0.0, near - std::sqrt(std::max(0.0, half)));
+    mouth.place = exit.point + line * prolonged;
+    mouth.along = ball;
+    return mouth;
+  }
+
+  Vec2 placeOf(uint32_t e) const {
     const auto& end = found_.ends[e];
     double limbs = 0, bodies = 0;
     Vec2 sum;
-    for (const Branch& branch : found_.branches) {
-      if (branch.from != e && branch.to != e) continue;
-      const auto [weight, mouth] = mouthOf({branch, branch.to == e}, end.radius);
-      limbs += weight;
-      bodies += 1 - weight;
-      sum = sum + mouth * weight;
-    }
-    const double often = std::clamp(limbs - 1, 0.0, 1.0) * std::clamp(2 - bodies, 0.0, 1.0);
-    return often > 0 ? lerp(end.point, sum / limbs, kTowardsLimbs * often) : end.point;
-  }
-
-  /// A branch seen from one of its ends.
-  struct View {
-    const Branch& branch;
-    bool backwards;
-    size_t count() const { return branch.line.size(); }
-    size_t at(size_t k) const { return backwards ? count() - 1 - k : k; }
-    Vec2 point(size_t k) const { return branch.line[at(k)]; }
-    double radius(size_t k) const { return branch.radii[at(k)]; }
-  };
-
-  /// How much of a limb a branch is, 0 … 1, and where it leaves the ball that it begins in.
-  static std::pair<double, Vec2> mouthOf(const View& view, double ball) {
-    double along = 0, sum = 0, length = 0;
-    for (size_t k = 1; k < view.count(); ++k) {
-      const double step = distance(view.point(k - 1), view.point(k));
-      along += step;
-      if (along <= ball) continue;
-      sum += step * (view.radius(k - 1) + view.radius(k)) / 2;
-      length += step;
-    }
-    if (!(length > 0)) return {0, view.point(0)};
-    const double body = sum / length;
-    const double weight = std::clamp((kAsThick - body / ball) / kThinner, 0.0, 1.0) *
-                          std::clamp((along - kMouthTo * ball) / body, 0.0, 1.0);
-    along = 0;
-    for (size_t k = 1; k < view.count(); ++k) {
-      const double step = distance(view.point(k - 1), view.point(k));
-      if (along + step >= kMouthTo * ball) {
-        return {weight, lerp(view.point(k - 1), view.point(k), (kMouthTo * ball - along) / step)};
-      }
-      along += step;
-      if (along < kMouthFrom * ball || view.radius(k) > kNearlyThin * body) continue;
-      return {weight, view.point(k)};
-    }
-    return {0, view.point(0)};
-  }
-
-  /// The first point of a line, from its end in a junction on, that stays where the junction moves:
-  /// one as far away from where it was as it moves, at least.
-  size_t firstKept(const View& view, Vec2 to) const {
-    const double by = distance(view.point(0), to);
-    size_t k = 1;
-    while (k + 1 < view.count() && distance(view.point(k), view.point(0)) < by) ++k;
-    return k;
-  }
-
-  bool canMove(uint32_t e, Vec2 to) const {
-    for (const Branch& branch : found_.branches) {
+    struct Body {
+      double share, thin;
+      Vec2 towards;
+    };
+    std::vector<Body> all;
+    for (size_t b = 0; b < found_.branches.size(); ++b) {
       for (const bool backwards : {false, true}) {
-        if ((backwards ? branch.to : branch.from) != e) continue;
-        const View view{branch, backwards};
-        if (!segmentInside(region_, to, view.point(firstKept(view, to)))) return false;
+        if ((backwards ? found_.branches[b].to : found_.branches[b].from) != e) continue;
+        const Mouth& mouth = mouths_[b][backwards ? 1 : 0];
+        limbs += mouth.limb;
+        bodies += 1 - mouth.limb;
+        sum = sum + mouth.place * mouth.limb;
+        all.push_back({1 - mouth.limb, mouth.thin, mouth.towards});
       }
     }
-    return true;
+    if (!(limbs > 1)) return end.point;
+    const double pair = std::min(limbs - 1, 1.0);
+    Vec2 place = end.point;
+    const double last = pair * std::clamp(2 - bodies, 0.0, 1.0);
+    place = lerp(place, sum / limbs, kTowardsLimbs * last);
+    const double through = pair * std::clamp(bodies - 1, 0.0, 1.0) * std::clamp(3 - bodies, 0.0, 1.0);
+    for (const Body& neck : all) {
+      for (const Body& trunk : all) {
+        const double thinner = std::clamp((trunk.thin - neck.thin) / (kNeck * end.radius), 0.0, 1.0);
+        const double share = std::min(neck.share * trunk.share, 1.0) * through * thinner;
+        const Vec2 way = neck.towards - end.point;
+        const double size = length(way);
+        if (size > 0) place = place + way * (kTowardsNeck * end.radius * share / size);
+      }
+    }
+    return place;
   }
 
-  /// All branches at `e` go to `other` at the point.
-  void move(uint32_t e, uint32_t other, Vec2 to) {
-    for (Branch& branch : found_.branches) {
-      for (const bool backwards : {false, true}) {
-        uint32_t& own = backwards ? branch.to : branch.from;
-        if (own != e) continue;
-        own = other;
-        const auto cut = static_cast<long>(firstKept({branch, backwards}, to));
-        if (backwards) {
-          branch.line.erase(branch.line.end() - cut, branch.line.end() - 1);
-          branch.radii.erase(branch.radii.end() - cut, branch.radii.end() - 1);
-          branch.line.back() = to;
-        } else {
-          branch.line.erase(branch.line.begin() + 1, branch.line.begin() + cut);
-          branch.radii.erase(branch.radii.begin() + 1, branch.radii.begin() + cut);
-          branch.line.front() = to;
+  void redraw(Branch& branch, const std::array<Mouth, 2>& mouths, const std::vector<Vec2>& places) {
+    const double length = lengthOf(branch);
+    std::array<Mouth, 2> used = mouths;
+    // Where both ends want too much of it, it has no mouths.
+    if (used[0].along + used[1].along > 0.9 * length) used[0].along = used[1].along = 0;
+    for (const bool backwards : {false, true}) {
+      const uint32_t e = backwards ? branch.to : branch.from;
+      if (!isJunction(e)) continue;
+      const Mouth& mouth = used[backwards ? 1 : 0];
+      if (backwards) reverse(branch);
+      const double at = begin(branch, mouth, places[e], found_.ends[e].radius);
+      if (backwards) reverse(branch);
+      (backwards ? branch.mouth_to : branch.mouth_from) = at;
+    }
+  }
+
+  /// Lets the branch begin at a place, and go by its mouth. Gives how far that is; 0: nowhere.
+  double begin(Branch& branch, const Mouth& mouth, Vec2 to, double ball) const {
+    const View view(branch, false);
+    std::vector<Vec2> line{to};
+    std::vector<double> radii{branch.radii[0]};
+    double at = 0;
+    size_t next = 1;
+    if (mouth.along > 0 && mouth.limb > 0) {
+      const auto exit = view.placeAt(mouth.along);
+      const auto own = view.placeAt(kMouth * ball);
+      const Vec2 place = lerp(own.point, mouth.place, mouth.limb);
+      if (segmentInside(region_, to, place) && segmentInside(region_, place, exit.point)) {
+        line.push_back(place);
+        radii.push_back(branch.radii[own.next]);
+        if (distance(place, exit.point) > 0.05 * ball) {
+          line.push_back(exit.point);
+          radii.push_back(branch.radii[exit.next]);
         }
+        next = exit.next;
+        if (mouth.limb >= 0.5) at = distance(to, place);
       }
     }
-    found_.ends[other].point = to;
-  }
-
-  bool canUnite(size_t b, Vec2 middle) const {
-    const Branch& branch = found_.branches[b];
-    for (const uint32_t e : {branch.from, branch.to}) {
-        for (size_t other = 0; other < found_.branches.size(); ++other) {
-        if (other == b) continue;
-        for (const bool backwards : {false, true}) {
-          const Branch& one = found_.branches[other];
-          if ((backwards ? one.to : one.from) != e) continue;
-          const View view{one, backwards};
-          if (!segmentInside(region_, middle, view.point(firstKept(view, middle)))) return false;
-        }
+    if (line.size() == 1) {
+      const double by = distance(branch.line[0], to);
+      while (next + 1 < branch.line.size() && distance(branch.line[next], branch.line[0]) < by) ++next;
+      if (!segmentInside(region_, to, branch.line[next])) {
+        next = 1;
+        line.push_back(branch.line[0]);
+        radii.push_back(branch.radii[0]);
       }
     }
-    return true;
-  }
-
-  void contract(size_t b, Vec2 middle) {
-    const Branch branch = std::move(found_.branches[b]);
-    found_.branches.erase(found_.branches.begin() + static_cast<long>(b));
-    auto &stays = found_.ends[branch.from], &goes = found_.ends[branch.to];
-    stays.branches += goes.branches - 2;
-    stays.radius = std::max(stays.radius, goes.radius);
-    goes.branches = 0;
-    move(branch.from, branch.from, middle);
-    move(branch.to, branch.from, middle);
+    line.insert(line.end(), branch.line.begin() + static_cast<long>(next), branch.line.end());
+    radii.insert(radii.end(), branch.radii.begin() + static_cast<long>(next), branch.radii.end());
+    branch.line = std::move(line);
+    branch.radii = std::move(radii);
+    return at;
   }
 
   const Region& region_;
   AxisBranches& found_;
-  Vec2 middle_;
+  std::vector<std::array<Mouth, 2>> mouths_;  // of each branch: at its beginning, at its end
 };
 
 // An end nearer to the line than this part of its radius lies on it.
@@ -426,16 +500,15 @@ class Mirroring {
   /// Puts the second branch behind the first, where both meet.
   void join(uint32_t first, uint32_t second, uint32_t e) {
     Branch &one = found_.branches[first], &other = found_.branches[second];
-    if (one.from == e) reverse(one);
-    if (other.to == e) reverse(other);
+    if (one.from == e) turn(one);
+    if (other.to == e) turn(other);
     one.line.insert(one.line.end(), other.line.begin() + 1, other.line.end());
     one.radii.insert(one.radii.end(), other.radii.begin() + 1, other.radii.end());
     one.to = other.to;
     other.line.clear();
   }
-  static void reverse(Branch& branch) {
-    std::reverse(branch.line.begin(), branch.line.end());
-    std::reverse(branch.radii.begin(), branch.radii.end());
+  static void turn(Branch& branch) {
+    reverse(branch);
     std::swap(branch.from, branch.to);
   }
 

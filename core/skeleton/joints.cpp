@@ -54,8 +54,8 @@ class Placement {
     return static_cast<uint32_t>(result_.joints.size() - 1);
   }
 
-  BranchEnd endOf(uint32_t end) const {
-    return {axis_.ends[end].branches > 1, result_.joints[end].radius};
+  BranchEnd endOf(uint32_t end, double mouth) const {
+    return {axis_.ends[end].branches > 1, result_.joints[end].radius, mouth};
   }
 
   /// Samples and levels.
@@ -69,7 +69,8 @@ class Placement {
     BoundedDpOptions all = dp_;
     all.epsilon = 0;
     branch.levels = branchLevels(region_, branch.samples, all);
-    addLimbJoints(branch.samples, endOf(way.from), endOf(way.to), usual_, branch.levels);
+    addLimbJoints(branch.samples, endOf(way.from, way.mouth_from), endOf(way.to, way.mouth_to), usual_,
+                  branch.levels);
     if (across) {
       const size_t count = branch.levels.size();
       for (size_t k = 0; k < count / 2; ++k) branch.levels[k] = branch.levels[count - 1 - k];

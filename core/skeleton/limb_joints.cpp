@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 
 namespace marrow {
@@ -9,19 +10,14 @@ namespace {
 
 constexpr double kAlways = std::numeric_limits<double>::infinity();
 
-// A limb is thinner than this part of the ball that it leaves.
-constexpr double kThinner = 0.8;
-// Its mouth lies between these parts of the ball's radius from the ball's middle,
-constexpr double kMouthFrom = 0.45;
-constexpr double kMouthTo = 0.9;
-// as soon as the limb is nearly as thin as it is on the whole.
-constexpr double kNearlyThin = 1.25;
 // Limbs longer than so many of their radii have a joint,
 constexpr double kLong = 3;
 // in this part of their length around the middle; in the narrowest place of it, where that is
-constexpr double kAside = 0.2;
+static const double kAside = std::getenv("ASIDE") ? std::atof(std::getenv("ASIDE")) : 0.3;
 // narrower than this part of what is on both sides of it.
 constexpr double kNarrow = 0.75;
+// What bends nearer to the middle of a junction's ball than this part of its radius does not count.
+constexpr double kInBall = 0.9;
 // How long they stay as the threshold grows, × the usual one.
 constexpr double kMouthLevel = 4;
 constexpr double kMiddleLevel = 3;
@@ -37,10 +33,10 @@ class LimbJoints {
     const double length = samples_[last_].along;
     const double from_start = start.junction ? start.radius : 0;
     const double from_end = end.junction ? end.radius : 0;
-    const double body = body_ = meanRadius(from_start, length - from_end);
+    body_ = meanRadius(from_start, length - from_end);
     size_t first = 0, last = last_;
-    if (start.junction) first = mouth(start, body, false);
-    if (end.junction) last = mouth(end, body, true);
+    first = mouth(start, false);
+    last = mouth(end, true);
     if (first >= last) {
       first = 0;
       last = last_;
@@ -66,20 +62,15 @@ class LimbJoints {
     return count ? sum / count : 0;
   }
 
-  /// The sample at which a limb leaves the ball of a junction; of the junction itself, where it is
-  /// none.
-  size_t mouth(const BranchEnd& end, double body, bool from_end) const {
-    const size_t none = from_end ? last_ : 0;
-    if (!(body > 0) || body > kThinner * end.radius) return none;
-    const double length = along(last_);
-    for (size_t k = 1; k < last_; ++k) {
-      const size_t i = from_end ? last_ - k : k;
-      const double away = from_end ? length - along(i) : along(i);
-      if (away < kMouthFrom * end.radius) continue;
-      if (length - away < body) return none;
-      if (away >= kMouthTo * end.radius || samples_[i].radius <= kNearlyThin * body) return i;
+  /// The sample nearest to a limb's joint at the body; that of the end, where it has none.
+  size_t mouth(const BranchEnd& end, bool from_end) const {
+    if (!(end.mouth > 0)) return from_end ? last_ : 0;
+    const double wanted = from_end ? along(last_) - end.mouth : end.mouth;
+    size_t best = 1;
+    for (size_t i = 1; i < last_; ++i) {
+      if (std::abs(along(i) - wanted) < std::abs(along(best) - wanted)) best = i;
     }
-    return none;
+    return best;
   }
 
   void raise(size_t i, double times) { levels_[i] = std::max(levels_[i], times * usual_); }
@@ -89,22 +80,33 @@ class LimbJoints {
     const double from = along(first) + ball_first / 2, to = along(last) - ball_last / 2;
     const double length = to - from;
     if (!(length > kLong * meanRadius(from, to))) return;
-    const double low = from + kAside * length, high = to - kAside * length;
+    // The longest stretch between its bends.
+    double low = from, high = from, last_bend = from;
+    for (size_t i = first + 1; i <= last; ++i) {
+      const bool bends = i < last && levels_[i] > usual_ && along(i) > from && along(i) < to;
+      if (i < last && !bends) continue;
+      const double here = i < last ? along(i) : to;
+      if (bends && here > from + kAside * length && here < to - kAside * length) return;
+      if (here - last_bend > high - low) {
+        low = last_bend;
+        high = here;
+      }
+      last_bend = here;
+    }
+    const double centre = (low + high) / 2, aside = kAside * (high - low);
     size_t middle = 0, narrow = 0;
     for (size_t i = first + 1; i < last; ++i) {
-      if (along(i) < low || along(i) > high) continue;
-      if (levels_[i] > usual_) return;  // it bends
-      const double here = std::abs(along(i) - (low + high) / 2);
-      if (middle == 0 || here < std::abs(along(middle) - (low + high) / 2)) middle = i;
+      const double here = std::abs(along(i) - centre);
+      if (here > (high - low) / 2 - aside) continue;
+      if (middle == 0 || here < std::abs(along(middle) - centre)) middle = i;
       if (narrow == 0 || samples_[i].radius < samples_[narrow].radius) narrow = i;
     }
     if (middle == 0) return;
     double before = 0, after = 0;
     for (size_t i = first; i <= last; ++i) {
+      if (along(i) < low || along(i) > high) continue;
       double& side = i < narrow ? before : after;
-      if (along(i) >= from - ball_first / 2 && along(i) <= to + ball_last / 2) {
-        side = std::max(side, samples_[i].radius);
-      }
+      side = std::max(side, samples_[i].radius);
     }
     const bool narrows = samples_[narrow].radius < kNarrow * std::min(before, after);
     raise(narrows ? narrow : middle, kMiddleLevel);
@@ -123,8 +125,8 @@ class LimbJoints {
       const double radius = std::max(samples_[i].radius, body_);
       bool crowded = false;
       if (levels_[i] < kMouthLevel * usual_) {
-        crowded = along(i) < (start.junction ? kMouthTo * start.radius : radius) ||
-                  length - along(i) < (end.junction ? kMouthTo * end.radius : radius);
+        crowded = along(i) < (start.junction ? kInBall * start.radius : radius) ||
+                  length - along(i) < (end.junction ? kInBall * end.radius : radius);
       }
       for (const size_t other : kept) {
         crowded = crowded || std::abs(along(i) - along(other)) < radius;

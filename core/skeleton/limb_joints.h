@@ -11,6 +11,7 @@ namespace marrow {
 struct BranchEnd {
   bool junction = false;
   double radius = 0;  // of the ball there
+  double mouth = 0;   // how far from there a limb's joint at the body is; 0: there is none
 };
 
 /// Makes levels (see branchLevels) of a branch heed what limbs need besides bends of the axis:
