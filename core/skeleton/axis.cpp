@@ -30,11 +30,17 @@ constexpr double kGoesOnTo = 0.7;
 // more than this part as far; from the larger part on the limb ends between them.
 constexpr double kForkFrom = 0.35;
 constexpr double kForkTo = 0.75;
+// and is nearly a limb of its own.
+constexpr double kProngFrom = 0.55;
+constexpr double kProngTo = 0.85;
+constexpr double kLimbFrom = 0.8;
+constexpr double kLimbTo = 1.1;
 // Where a limb's last joint lies: this part of the limb's mean radius from the outline.
 static const double kFromEnd = std::getenv("FROMEND") ? std::atof(std::getenv("FROMEND")) : 0.9;
 // Nearer, but not nearer than this, where it would be too near to the junction that the limb comes
 // from: by this part of the radius there.
 constexpr double kNearestEnd = 0.35;
+constexpr double kFromEndAlone = 0.6;  // of a shape without junctions
 constexpr double kLeastBone = 0.75;
 // A body with limbs thinner than this part of its radius alone, and none in more than so wide an
 // angle (150°), has a bone of its own there.
@@ -278,7 +284,7 @@ class Extracting {
     uint32_t parent;  // in kept_
     uint32_t node;    // of the tree
     uint32_t children = 0;
-    double ends = 1;  // see endsAt
+    double ends = 1;  // see endingAt
     double inside = 0;  // how far it still is to where the limb leaves the ball of its junction
   };
 
@@ -314,8 +320,9 @@ class Extracting {
       if (k > 0 && significant.size() < 2) {
         const uint32_t next = significant.empty() ? node.onward : significant[0];
         if (next == kNone) continue;
-        kept_[k].ends = endsAt(at, next, kept_[k].inside > 0);
-        if (kept_[k].ends <= 0) add(next, k, false);
+        const Ending ending = endingAt(at, next, kept_[k].inside > 0);
+        kept_[k].ends = ending.share;
+        if (ending.decided && ending.share <= 0) add(next, k, false);
         continue;
       }
       for (const uint32_t child : significant) add(child, k, true);
@@ -342,20 +349,34 @@ class Extracting {
     return found == kNone ? node.onward : found;
   }
 
-  /// Whether a limb ends at a node, before its child: 0 not at all, 1 plainly.
-  double endsAt(uint32_t at, uint32_t child, bool inside) const {
+  /// Whether a limb ends at a node, before its child.
+  struct Ending {
+    double share = 1;     // 0: not at all, 1: plainly
+    bool decided = true;  // goes on without ending anywhere else
+  };
+  Ending endingAt(uint32_t at, uint32_t child, bool inside) const {
     const auto& node = tree_.nodes[at];
-    double second = node.tip;
+    double second = node.tip, limb = 0;
     for (const uint32_t other : tree_.childrenOf(at)) {
       if (other == node.parent || other == child) continue;
-      second = std::max(second, tree_.nodes[other].to_parent + tree_.nodes[other].reach);
+      const double reach = tree_.nodes[other].to_parent + tree_.nodes[other].reach;
+      if (!(reach > second)) continue;
+      second = reach;
+      limb = significance(other);
     }
     const double proud = tree_.proud(child);
-    if (!(proud > 0)) return 1;
+    if (!(proud > 0)) return {1, true};
     const double fork = ((second - node.radius) / proud - kForkFrom) / (kForkTo - kForkFrom);
+    // A prong that is a limb of its own goes on beside one that is nothing.
+    const double own = significance(child);
+    const double prong = inside ? 0 : (limb - kProngFrom) / (kProngTo - kProngFrom);
+    const double nearly =
+        std::clamp(std::max(prong, (kLimbTo - own) / (kLimbTo - kLimbFrom)), 0.0, 1.0);
     const double on = std::max((proud / node.radius - kGoesOnFrom) / (kGoesOnTo - kGoesOnFrom),
-                               (significance(child) - kGoesOnFrom) / (1 - kGoesOnFrom));
-    return 1 - std::clamp(1 - fork, 0.0, 1.0) * (inside ? 1 : std::clamp(on, 0.0, 1.0));
+                               (own - kGoesOnFrom) / (1 - kGoesOnFrom));
+    const double goes = inside ? 1 : std::clamp(on, 0.0, 1.0);
+    if (std::getenv("ENDS") && fork > 0) std::fprintf(stderr, "[at %.0f %.0f R %.0f S1 %.0f fork %.2f M1 %.2f M2 %.2f inside %d]\n", node.point.x, node.point.y, node.radius, proud, fork, own, limb, inside);
+    return {1 - std::clamp(1 - fork * nearly, 0.0, 1.0) * goes, fork <= 0 && goes >= 1};
   }
 
   bool isBlob() const {
@@ -446,7 +467,8 @@ class Extracting {
     const Kept end = kept_[way[0]];
     // What lies in the ball of the junction is none of the limb.
     const Vec2 base = line.back();
-    const double ball = kept_[way.back()].children > 1 ? kept_[way.back()].radius : 0;
+    const bool alone = kept_[way.back()].children < 2 || way.back() == way[0];
+    const double ball = alone ? 0 : kept_[way.back()].radius;
     double radii = 0, total = 0;
     for (size_t k = 0; k + 1 < way.size(); ++k) {
       if (k > 0 && distance(line[k], base) < ball) break;
@@ -467,8 +489,9 @@ class Extracting {
       longer.insert(longer.begin(), tree_.nodes[i].point);
       places.push_back(bluntEnd(longer, tree_.nodes[i].radius, limb, ball));
       const uint32_t next = onwardFrom(i);
-      ends.push_back(next == kNone ? 1 : std::max(ends.back(), endsAt(i, next, inside > 0)));
+      ends.push_back(next == kNone ? 1 : std::max(ends.back(), endingAt(i, next, inside > 0).share));
     }
+    if (std::getenv("ENDS")) { for (size_t k = 0; k < places.size(); ++k) std::fprintf(stderr, "(%.0f %.0f R %.0f w %.2f -> %.0f %.0f) ", longer[places.size()-1-k].x, longer[places.size()-1-k].y, k==0?end.radius:0, ends[k], places[k].x, places[k].y); std::fprintf(stderr, " limb %.0f ball %.0f\n", limb, ball); }
     Vec2 place = places[0] * ends[0];
     for (size_t k = 1; k < places.size(); ++k) place = place + places[k] * (ends[k] - ends[k - 1]);
     place = place + places.back() * (1 - ends.back());
@@ -499,7 +522,8 @@ class Extracting {
     double total = room;
     for (size_t k = 0; k + 1 < line.size(); ++k) total += distance(line[k], line[k + 1]);
     const double from_end =
-        std::min(kFromEnd * limb, std::max(kNearestEnd * limb, total - kLeastBone * ball));
+        ball > 0 ? std::min(kFromEnd * limb, std::max(kNearestEnd * limb, total - kLeastBone * ball))
+                 : kFromEndAlone * limb;
     return line.front() + towards * (std::max(0.0, room - from_end) / size);
   }
 
@@ -527,7 +551,7 @@ class Extracting {
     if (twice.y < 0) direction.y = -direction.y;
     const double ahead = exitOf(polygon_, middle, direction),
                  behind = exitOf(polygon_, middle, -direction);
-    const double end = kFromEnd * kept_[0].radius;
+    const double end = kFromEndAlone * kept_[0].radius;
     Axis axis;
     axis.points = {middle - direction * std::max(behind - end, behind * 0.5),
                    middle + direction * std::max(ahead - end, ahead * 0.5)};

@@ -24,7 +24,6 @@ constexpr double kTie = 1e-9;
 constexpr size_t kChunk = 8;
 // A line is averaged over this part of the local radius to either side.
 constexpr double kSmooth = 0.5;
-constexpr int kRounds = 2;
 
 /// An open polyline by arc length.
 class Line {
@@ -110,6 +109,22 @@ std::vector<BranchSample> smoothed(const std::vector<Vec2>& points,
   samples.back().point = points.back();
   setLengths(samples);
   return samples;
+}
+
+std::vector<BranchSample> smoothedTwice(const AxisLine& line, size_t first, size_t last,
+                                        double step) {
+  std::vector<Vec2> points(line.points.begin() + static_cast<long>(first),
+                           line.points.begin() + static_cast<long>(last) + 1);
+  std::vector<double> radii(line.radii.begin() + static_cast<long>(first),
+                            line.radii.begin() + static_cast<long>(last) + 1);
+  const std::vector<BranchSample> once = smoothed(points, radii, step);
+  points.clear();
+  radii.clear();
+  for (const BranchSample& sample : once) {
+    points.push_back(sample.point);
+    radii.push_back(sample.radius);
+  }
+  return smoothed(points, radii, step);
 }
 
 /// Points at even distances along a polyline, and the polyline's own.
@@ -295,19 +310,24 @@ bool boneFits(const NearEdges& around, const std::vector<BranchSample>& samples,
 
 }  // namespace
 
-std::vector<BranchSample> sampleBranch(const Region& region, const std::vector<Vec2>& line,
-                                       const std::vector<double>& radii, double step) {
-  std::vector<BranchSample> samples = smoothed(line, radii, step);
-  for (int round = 1; round < kRounds; ++round) {
-    std::vector<Vec2> points;
-    std::vector<double> around;
-    for (const BranchSample& sample : samples) {
-      points.push_back(sample.point);
-      around.push_back(sample.radius);
-    }
-    samples = smoothed(points, around, step);
+std::vector<BranchSample> sampleBranch(const Region& region, const AxisLine& line, double step) {
+  std::vector<size_t> ends = line.corners;
+  ends.push_back(line.points.size() - 1);
+  std::vector<BranchSample> samples;
+  double length = 0;
+  for (size_t i = 0; i + 1 < line.points.size(); ++i) {
+    length += distance(line.points[i], line.points[i + 1]);
   }
-  if (!staysInside(region, samples)) samples = walk(line, radii, step);
+  step = std::max(step, length / kMaxSamples);
+  size_t first = 0;
+  for (const size_t last : ends) {
+    if (last <= first) continue;
+    const auto piece = smoothedTwice(line, first, last, step);
+    samples.insert(samples.end(), piece.begin() + (samples.empty() ? 0 : 1), piece.end());
+    first = last;
+  }
+  setLengths(samples);
+  if (!staysInside(region, samples)) samples = walk(line.points, line.radii, step);
   measure(edgesOf(region.polygon), samples, 0, samples.size());
   return samples;
 }
@@ -321,12 +341,11 @@ BranchSample mirrored(const BranchSample& sample, const MirrorLine& mirror) {
   return image;
 }
 
-std::vector<BranchSample> sampleMirroredBranch(const Region& region, const std::vector<Vec2>& line,
-                                               const std::vector<double>& radii, double step,
-                                               const MirrorLine& mirror) {
-  const std::vector<BranchSample> whole = sampleBranch(region, line, radii, step);
+std::vector<BranchSample> sampleMirroredBranch(const Region& region, const AxisLine& line,
+                                               double step, const MirrorLine& mirror) {
+  const std::vector<BranchSample> whole = sampleBranch(region, line, step);
   // The second half, from its first sample beyond the line on, and where that is met.
-  const bool left = mirror.side(line.back()) > 0;
+  const bool left = mirror.side(line.points.back()) > 0;
   size_t first = whole.size();
   while (first > 0 && (mirror.side(whole[first - 1].point) > 0) == left) --first;
   std::vector<BranchSample> samples;

@@ -23,22 +23,26 @@ struct BranchSample {
   double depth = 0;   // z of the axis there; other than 0 in imported parts alone
 };
 
-/// Samples of a branch at even distances of about `step`, first and last point included.
+/// The middle of a branch.
+struct AxisLine {
+  const std::vector<Vec2>& points;
+  const std::vector<double>& radii;  // inscribed, one per point
+  std::vector<size_t> corners;       // points that the samples are to go through, ascending
+};
+
+/// Samples of a branch at even distances of about `step`, first and last point and corners included.
 ///
-/// line: the branch's points, with the inscribed radius at each; its edges lie inside the region.
-/// It is averaged over about half of the radius to either side: what a hand's tremor makes of the
-/// middle goes. Where that would leave the region, the samples follow the line and contain all of
-/// its points. Every segment between samples lies inside the region.
-/// At most kMaxSamples + the line's points, at least three.
-std::vector<BranchSample> sampleBranch(const Region& region, const std::vector<Vec2>& line,
-                                       const std::vector<double>& radii, double step);
+/// The line's edges lie inside the region. Between corners it is averaged over about half of the
+/// radius to either side: what a hand's tremor makes of the middle goes. Where that would leave the
+/// region, the samples follow the line and contain all of its points. Every segment between samples
+/// lies inside the region. At most kMaxSamples + the line's points, at least three.
+std::vector<BranchSample> sampleBranch(const Region& region, const AxisLine& line, double step);
 constexpr size_t kMaxSamples = 256;
 
 /// The same for a line whose one half is the mirror image of the other, with a point in the middle:
 /// the samples are so, too.
-std::vector<BranchSample> sampleMirroredBranch(const Region& region, const std::vector<Vec2>& line,
-                                               const std::vector<double>& radii, double step,
-                                               const MirrorLine& mirror);
+std::vector<BranchSample> sampleMirroredBranch(const Region& region, const AxisLine& line,
+                                               double step, const MirrorLine& mirror);
 
 /// A sample in the mirror, of a branch that is walked the same way.
 BranchSample mirrored(const BranchSample& sample, const MirrorLine& mirror);

@@ -13,13 +13,13 @@ namespace {
 
 constexpr uint32_t kNone = 0xFFFFFFFF;
 // A limb is thinner than the ball that it leaves: the less the nearer to this part of its radius,
-constexpr double kAsThick = 0.95;
+static const double kAsThick = std::getenv("ASTHICK") ? std::atof(std::getenv("ASTHICK")) : 0.85;
 // and wholly a limb from this much thinner on.
 constexpr double kThinner = 0.3;
 // Its joint at the body lies on the line of its first stretch, so many of its radii long, prolonged
 // into the body up to this part of the ball's radius from its middle.
 constexpr double kStretch = 2.5;
-static const double kMouth = std::getenv("MOUTH") ? std::atof(std::getenv("MOUTH")) : 0.6;
+static const double kMouth = std::getenv("MOUTH") ? std::atof(std::getenv("MOUTH")) : 0.65;
 // A body's joint lies nearer to the limbs at its end than the middle of its last ball does: of the
 // way to the middle between their joints, this part.
 static const double kTowardsLimbs = std::getenv("TOWARDS") ? std::atof(std::getenv("TOWARDS")) : 0.8;
@@ -323,18 +323,18 @@ class Arranging {
       if (!isJunction(e)) continue;
       const Mouth& mouth = used[backwards ? 1 : 0];
       if (backwards) reverse(branch);
-      const double at = begin(branch, mouth, places[e], found_.ends[e].radius);
+      const bool has_mouth = begin(branch, mouth, places[e], found_.ends[e].radius);
       if (backwards) reverse(branch);
-      (backwards ? branch.mouth_to : branch.mouth_from) = at;
+      (backwards ? branch.mouth_to : branch.mouth_from) = has_mouth;
     }
   }
 
-  /// Lets the branch begin at a place, and go by its mouth. Gives how far that is; 0: nowhere.
-  double begin(Branch& branch, const Mouth& mouth, Vec2 to, double ball) const {
+  /// Lets the branch begin at a place, and go by its mouth; says whether it does.
+  bool begin(Branch& branch, const Mouth& mouth, Vec2 to, double ball) const {
     const View view(branch, false);
     std::vector<Vec2> line{to};
     std::vector<double> radii{branch.radii[0]};
-    double at = 0;
+    bool has_mouth = false;
     size_t next = 1;
     if (mouth.along > 0 && mouth.limb > 0) {
       const auto exit = view.placeAt(mouth.along);
@@ -348,7 +348,7 @@ class Arranging {
           radii.push_back(branch.radii[exit.next]);
         }
         next = exit.next;
-        if (mouth.limb >= 0.5) at = distance(to, place);
+        has_mouth = mouth.limb >= 0.5;
       }
     }
     if (line.size() == 1) {
@@ -364,7 +364,7 @@ class Arranging {
     radii.insert(radii.end(), branch.radii.begin() + static_cast<long>(next), branch.radii.end());
     branch.line = std::move(line);
     branch.radii = std::move(radii);
-    return at;
+    return has_mouth;
   }
 
   const Region& region_;
@@ -505,11 +505,13 @@ class Mirroring {
     one.line.insert(one.line.end(), other.line.begin() + 1, other.line.end());
     one.radii.insert(one.radii.end(), other.radii.begin() + 1, other.radii.end());
     one.to = other.to;
+    one.mouth_to = other.mouth_to;
     other.line.clear();
   }
   static void turn(Branch& branch) {
     reverse(branch);
     std::swap(branch.from, branch.to);
+    std::swap(branch.mouth_from, branch.mouth_to);
   }
 
   void dropUnused() {
@@ -558,6 +560,7 @@ class Mirroring {
     Branch next;
     next.to = endOf(forwards ? branch.to : branch.from);
     next.from = found_.ends[next.to].image;
+    next.mouth_from = next.mouth_to = forwards ? branch.mouth_to : branch.mouth_from;
     const size_t half = line.size() - 1;
     for (size_t k = 0; k < half; ++k) {
       next.line.push_back(line_.mirrored(line[k]));

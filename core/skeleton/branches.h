@@ -23,8 +23,9 @@ struct AxisBranches {
     uint32_t from, to;          // of `ends`
     std::vector<Vec2> line;     // along the axis, from end to end
     std::vector<double> radii;  // one per point
-    // Of a limb: how far its joint at the body is from either end; 0: there is none.
-    double mouth_from = 0, mouth_to = 0;
+    // Whether it leaves a body at either end as a limb does: its joint there is the point next to
+    // that end.
+    bool mouth_from = false, mouth_to = false;
     uint32_t image = 0;  // the branch that is its mirror image; itself where it lies on the line,
                          // and where it goes across it
   };

@@ -54,8 +54,20 @@ class Placement {
     return static_cast<uint32_t>(result_.joints.size() - 1);
   }
 
-  BranchEnd endOf(uint32_t end, double mouth) const {
-    return {axis_.ends[end].branches > 1, result_.joints[end].radius, mouth};
+  BranchEnd endOf(const AxisBranches::Branch& way, bool at_end) const {
+    const uint32_t end = at_end ? way.to : way.from;
+    BranchEnd found{axis_.ends[end].branches > 1, result_.joints[end].radius, {}};
+    if (at_end ? way.mouth_to : way.mouth_from) {
+      found.mouth = way.line[at_end ? way.line.size() - 2 : 1];
+    }
+    return found;
+  }
+
+  static AxisLine lineOf(const AxisBranches::Branch& way) {
+    AxisLine line{way.line, way.radii, {}};
+    if (way.mouth_from) line.corners.push_back(1);
+    if (way.mouth_to) line.corners.push_back(way.line.size() - 2);
+    return line;
   }
 
   /// Samples and levels.
@@ -64,13 +76,12 @@ class Placement {
     const bool across = mirror_ && way.image == index &&
                         axis_.ends[way.from].image == way.to && way.from != way.to;
     branch.samples = across
-                         ? sampleMirroredBranch(region_, way.line, way.radii, step_, *mirror_)
-                         : sampleBranch(region_, way.line, way.radii, step_);
+                         ? sampleMirroredBranch(region_, lineOf(way), step_, *mirror_)
+                         : sampleBranch(region_, lineOf(way), step_);
     BoundedDpOptions all = dp_;
     all.epsilon = 0;
     branch.levels = branchLevels(region_, branch.samples, all);
-    addLimbJoints(branch.samples, endOf(way.from, way.mouth_from), endOf(way.to, way.mouth_to), usual_,
-                  branch.levels);
+    addLimbJoints(branch.samples, endOf(way, false), endOf(way, true), usual_, branch.levels);
     if (across) {
       const size_t count = branch.levels.size();
       for (size_t k = 0; k < count / 2; ++k) branch.levels[k] = branch.levels[count - 1 - k];

@@ -62,13 +62,12 @@ class LimbJoints {
     return count ? sum / count : 0;
   }
 
-  /// The sample nearest to a limb's joint at the body; that of the end, where it has none.
+  /// The sample of a limb's joint at the body; that of the end, where it has none.
   size_t mouth(const BranchEnd& end, bool from_end) const {
-    if (!(end.mouth > 0)) return from_end ? last_ : 0;
-    const double wanted = from_end ? along(last_) - end.mouth : end.mouth;
+    if (!end.mouth) return from_end ? last_ : 0;
     size_t best = 1;
     for (size_t i = 1; i < last_; ++i) {
-      if (std::abs(along(i) - wanted) < std::abs(along(best) - wanted)) best = i;
+      if (distance(samples_[i].point, *end.mouth) < distance(samples_[best].point, *end.mouth)) best = i;
     }
     return best;
   }

@@ -1,6 +1,7 @@
 // Where limbs have joints: at their mouths, and where they bend.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "skeleton/bounded_dp.h"
@@ -11,7 +12,7 @@ namespace marrow {
 struct BranchEnd {
   bool junction = false;
   double radius = 0;  // of the ball there
-  double mouth = 0;   // how far from there a limb's joint at the body is; 0: there is none
+  std::optional<Vec2> mouth;  // where a limb that begins there has its joint: one of the samples
 };
 
 /// Makes levels (see branchLevels) of a branch heed what limbs need besides bends of the axis:

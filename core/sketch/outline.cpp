@@ -49,7 +49,7 @@ constexpr double kToleranceCut = 0.7;
 constexpr size_t kManyVertices = 250;
 constexpr int kCoarserRounds = 2;
 // More alike than this a shape and its mirror image are meant to be the same.
-constexpr double kAlike = 0.84;
+constexpr double kAlike = 0.86;
 constexpr double kMirroredMiss = 0.02;  // as in skeletonPolygon
 constexpr double kOnLine = 1e-9;        // × the shape's diameter
 constexpr double kSpikeBySteps = 0.04;  // thinner spikes than this go,
