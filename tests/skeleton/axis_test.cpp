@@ -132,32 +132,6 @@ TEST_CASE("axis: a blob gets one edge along its longest inscribed diameter", "[a
   }
 }
 
-TEST_CASE("axis: edges shorter than the ratio of the mean are gone", "[axis]") {
-  Random random(34);
-  for (int i = 0; i < 200; ++i) {
-    const auto polygon = shapes::random(random);
-    size_t last = 1000;
-    for (const double ratio : {0.0, 0.25, 0.5, 1.0, 2.0}) {
-      const size_t count = axisOf(polygon, {ratio}).edges.size();
-      CHECK(count <= last + 1);  // one more where a blob's one edge replaces what was left
-      last = count;
-    }
-  }
-  // Unless the edges that would move leave the polygon, none is left.
-  const auto tube = shapes::sausage(100, 25, 16);
-  const auto skeleton = straightSkeleton(tube);
-  double sum = 0, count = 0;
-  for (const auto& edge : skeleton->edges) {
-    if (edge.kind != StraightSkeleton::Kind::skeleton) continue;
-    sum += distance(skeleton->nodes[edge.a], skeleton->nodes[edge.b]);
-    ++count;
-  }
-  const Axis axis = axisOf(tube);
-  for (const auto& edge : axis.edges) {
-    CHECK(distance(axis.points[edge[0]], axis.points[edge[1]]) > 0.499 * sum / count);
-  }
-}
-
 TEST_CASE("axis: turned, mirrored, scaled or renumbered, the same", "[axis]") {
   Random random(35);
   for (int i = 0; i < 300; ++i) {
