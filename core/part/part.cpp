@@ -75,6 +75,9 @@ std::vector<DepthSpan> spansOf(const PartSkeleton& skeleton, const Mesh& mesh) {
 std::optional<Error> makeSkeleton(const std::vector<Vec2>& stroke, const PartOptions& options,
                                   Part& part, Stopwatch& watch) {
   OutlineOptions outlining = options.outline;
+  if (options.hints) outlining.was_symmetric = options.hints->mirrored;
+  JointOptions joining = options.joints;
+  joining.hints = options.hints;
   for (int attempt = 1;; ++attempt) {
     auto outline = makeOutline(stroke, outlining);
     if (!outline) return outline.error();
@@ -89,20 +92,22 @@ std::optional<Error> makeSkeleton(const std::vector<Vec2>& stroke, const PartOpt
 
     AxisOptions axial = options.axis;
     axial.mirror = part.outline.mirror;
+    axial.hints = options.hints;
     auto axis = extractAxis(part.outline.polygon, part.straight_skeleton, axial);
     if (!axis) return axis.error();
     part.axis = std::move(*axis);
     watch.lap("axis");
 
-    // The simplified polygon may bulge out of thin places of what was drawn, and the axis with it.
+    // The smooth polygon may bulge out of thin places of what was drawn, and the axis with it.
     if (attempt < kOutlineAttempts &&
         !segmentsInside(part.outline.dense, part.axis.points, part.axis.edges)) {
-      outlining.tolerance /= 4;
+      outlining.steadiness = attempt + 1 < kOutlineAttempts ? outlining.steadiness / 2 : 0;
+      if (attempt + 1 == kOutlineAttempts) outlining.symmetric = false;
       continue;
     }
     const MirrorLine* mirror = part.outline.mirror ? &*part.outline.mirror : nullptr;
-    auto skeleton = placeJoints(part.outline.polygon, part.axis, part.outline.scale(),
-                                options.joints, &part.outline.dense, mirror);
+    auto skeleton = placeJoints(part.outline.polygon, part.axis, part.outline.scale(), joining,
+                                &part.outline.dense, mirror);
     if (!skeleton && mirror) {
       outlining.symmetric = false;
       continue;
@@ -157,6 +162,14 @@ Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& optio
   return part;
 }
 
+Result<Part> buildSkeleton(const std::vector<Vec2>& stroke, const PartOptions& options,
+                           Clock clock) {
+  Part part;
+  Stopwatch watch(clock, part.timings);
+  if (auto error = makeSkeleton(stroke, options, part, watch)) return *error;
+  return part;
+}
+
 Result<Part> importPart(const Mesh& mesh, const std::vector<Vec2>& silhouette,
                         const PartOptions& options, Clock clock) {
   Part part;
@@ -171,7 +184,6 @@ Result<Part> importPart(const Mesh& mesh, const std::vector<Vec2>& silhouette,
 
   setNormals(part);
   watch.lap("normals");
-
 
   part.spans = spansOf(part.skeleton, mesh);
   setProxy(part, options.inflate.thickness);

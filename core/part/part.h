@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/result.h"
@@ -10,6 +11,7 @@
 #include "part/relief.h"
 #include "part/silhouette.h"
 #include "skeleton/axis.h"
+#include "skeleton/hints.h"
 #include "skeleton/joints.h"
 #include "skeleton/straight_skeleton.h"
 #include "sketch/outline.h"
@@ -27,6 +29,7 @@ struct PartOptions {
   JointOptions joints;
   TriangulationOptions triangulation;
   InflateOptions inflate;
+  std::optional<SkeletonHints> hints;  // of the stroke as it was before
 };
 
 /// Everything derived from one stroke, in its own plane z = 0; or from an imported mesh about it.
@@ -45,7 +48,7 @@ struct Part {
   std::vector<DepthSpan> spans;  // of an imported one: the body at the branches' samples, branch
                                  // by branch, at thickness 1
   Timings timings;               // stages: outline, straightSkeleton, axis, joints, triangulation,
-                                 // inflation, normals, proxy, levels
+                                 // inflation, normals, proxy
 
   double inscribedRadius() const;  // largest time of the straight skeleton
 };
@@ -56,6 +59,10 @@ PartOptions previewOptions();
 /// Errors: those of the stages; noArea also for a perimeter below 1e-50 units.
 Result<Part> buildPart(const std::vector<Vec2>& stroke, const PartOptions& options = {},
                        Clock clock = nullptr);
+
+/// Its stages up to the joints alone.
+Result<Part> buildSkeleton(const std::vector<Vec2>& stroke, const PartOptions& options = {},
+                           Clock clock = nullptr);
 
 /// The part of an imported mesh: its skeleton is that of the silhouette, at the middle of the
 /// body's depth, with balls no larger than that depth. mesh: at thickness 1; closed and outward.

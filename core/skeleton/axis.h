@@ -1,4 +1,4 @@
-// Straight skeleton → axis: the tree that is left without peripheral and very short edges
+// Straight skeleton → axis: the tree that is left without what adds nothing to the shape
 // [RS §3.1 "Straight-skeleton simplification", Fig. 2d]
 #pragma once
 
@@ -9,6 +9,7 @@
 
 #include "base/result.h"
 #include "base/vec.h"
+#include "skeleton/hints.h"
 #include "skeleton/straight_skeleton.h"
 #include "sketch/mirror_line.h"
 
@@ -16,6 +17,7 @@ namespace marrow {
 
 struct AxisOptions {
   std::optional<MirrorLine> mirror;  // across which the polygon is its own mirror image
+  std::optional<SkeletonHints> hints;
 };
 
 struct Axis {
@@ -24,19 +26,17 @@ struct Axis {
   std::vector<std::array<uint32_t, 2>> edges;  // a tree with at least one edge
 };
 
-/// The inner arcs of the straight skeleton, without
-/// - edges shorter than collapse_ratio × the mean, collapsed the shortest first: into the end with
-///   the higher degree, then the larger ball; a terminal wins over a sleeve, so that limbs keep
-///   their length; a fork of short prongs at a limb's end becomes one prong between them;
-/// - branches whose tip reaches less than 1.5 inscribed radii from the junction they start at: the
-///   corners of blocks and the bumps of a trembling hand;
-/// and with the greater part of the peripheral arcs into sharp tips (2.5 inscribed radii, or 1.6
-/// between two reflex vertices). Without those, whether a pointed arm gets a bone would hang on
-/// whether its tip has one vertex or two.
+/// The inner arcs of the straight skeleton whose sides are limbs: which of them are is told by what
+/// each adds to the shape (AxisTree::significance), not by how long or short edges are, so that a
+/// trembling hand changes little. What the paper's collapse of short edges is for, comes by that.
 ///
-/// A blob whose skeleton collapses to a point gets one edge: along the longest inscribed diameter
-/// through it, inside the polygon.
-/// Errors: skeletonFailed.
+/// A limb ends in the middle of its end, nearly its own half width from the outline: it goes on
+/// into a point, and between the corners of a blunt end. Between both it ends between both. A body
+/// all of whose limbs leave it on one side has a bone towards the other. A blob, whose axis is
+/// hardly a line, gets one bone along its longer direction, upright where none is longer.
+///
+/// All points are inside the polygon, edges may touch its border where it is thin. O(n²) at worst,
+/// about O(n) for drawings. Errors: skeletonFailed.
 Result<Axis> extractAxis(const std::vector<Vec2>& polygon, const StraightSkeleton& skeleton,
                          const AxisOptions& options = {});
 

@@ -1,8 +1,12 @@
 #include "skeleton/bounded_dp.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numeric>
+#include <set>
 
 #include "base/box.h"
 #include "skeleton/inside.h"
@@ -418,6 +422,41 @@ std::vector<double> branchLevels(const Region& region, const std::vector<BranchS
     todo.push_back({interval.first, split.first, epsilon, self});
   }
   return levels;
+}
+
+void keepInside(const Region& region, const std::vector<BranchSample>& samples,
+                std::vector<double>& levels) {
+  const NearEdges around = edgesAround(region, samples);
+  std::vector<size_t> order(samples.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return levels[a] > levels[b]; });
+  std::set<size_t> kept{0, samples.size() - 1};
+  // The samples that a bone needs to stay inside are kept with it, those with high levels first.
+  const auto mend = [&](size_t first, size_t last, double level) {
+    std::vector<std::array<size_t, 2>> todo{{first, last}};
+    while (!todo.empty()) {
+      const auto [a, b] = todo.back();
+      todo.pop_back();
+      if (b - a < 2 || around.isClear(samples[a].point, samples[b].point)) continue;
+      size_t middle = largestError(samples, a, b, 1).first;
+      for (size_t i = a + 1; i < b; ++i) {
+        if (levels[i] > levels[middle]) middle = i;
+      }
+      levels[middle] = std::max(levels[middle], level);
+      kept.insert(middle);
+      todo.push_back({a, middle});
+      todo.push_back({middle, b});
+    }
+  };
+  mend(0, samples.size() - 1, levels.front());
+  for (const size_t i : order) {
+    if (!(levels[i] > 0)) break;
+    const auto [at, is_new] = kept.insert(i);
+    if (!is_new) continue;
+    mend(*std::prev(at), i, levels[i]);
+    mend(i, *std::next(kept.find(i)), levels[i]);
+  }
 }
 
 std::vector<size_t> boundedDp(const Region& region, const std::vector<BranchSample>& samples,

@@ -30,7 +30,8 @@ struct AxisLine {
   std::vector<size_t> corners;       // points that the samples are to go through, ascending
 };
 
-/// Samples of a branch at even distances of about `step`, first and last point and corners included.
+/// Samples of a branch at even distances of about `step`, first and last point and corners
+/// included.
 ///
 /// The line's edges lie inside the region. Between corners it is averaged over about half of the
 /// radius to either side: what a hand's tremor makes of the middle goes. Where that would leave the
@@ -70,6 +71,10 @@ std::vector<size_t> boundedDp(const Region& region, const std::vector<BranchSamp
 /// to stay inside). Only levels above options.epsilon are told apart, the others are 0.
 std::vector<double> branchLevels(const Region& region, const std::vector<BranchSample>& samples,
                                  const BoundedDpOptions& options);
+/// Raises levels until at every threshold every bone lies inside the region, as branchLevels alone
+/// has it; for levels that were changed.
+void keepInside(const Region& region, const std::vector<BranchSample>& samples,
+                std::vector<double>& levels);
 inline bool isKept(double level, double epsilon) {
   return level > epsilon || level == std::numeric_limits<double>::infinity();
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <tuple>
 
 #include "base/sets.h"
@@ -13,22 +12,33 @@ namespace {
 
 constexpr uint32_t kNone = 0xFFFFFFFF;
 // A limb is thinner than the ball that it leaves: the less the nearer to this part of its radius,
-static const double kAsThick = std::getenv("ASTHICK") ? std::atof(std::getenv("ASTHICK")) : 0.85;
+constexpr double kAsThick = 0.85;
 // and wholly a limb from this much thinner on.
 constexpr double kThinner = 0.3;
 // Its joint at the body lies on the line of its first stretch, so many of its radii long, prolonged
 // into the body up to this part of the ball's radius from its middle.
 constexpr double kStretch = 2.5;
-static const double kMouth = std::getenv("MOUTH") ? std::atof(std::getenv("MOUTH")) : 0.65;
+constexpr double kMouth = 0.65;
 // A body's joint lies nearer to the limbs at its end than the middle of its last ball does: of the
 // way to the middle between their joints, this part.
-static const double kTowardsLimbs = std::getenv("TOWARDS") ? std::atof(std::getenv("TOWARDS")) : 0.8;
+constexpr double kTowardsLimbs = 0.8;
 // Where the body goes on thinner beyond limbs, as a trunk does in a neck, it lies this part of the
 // radius nearer to that,
-static const double kTowardsNeck = std::getenv("NECK") ? std::atof(std::getenv("NECK")) : 0.25;
+constexpr double kTowardsNeck = 0.25;
 // if that is thinner by this part of the radius, in the first stretch of so many radii.
 constexpr double kNeck = 0.3;
 constexpr double kNeckStretch = 2.5;
+// Junctions nearer to each other than this part of the smaller ball's radius are one;
+constexpr double kOne = 0.35;
+// with a pair of limbs at each of them than this;
+constexpr double kOneWithPairs = 0.12;
+// with so many limbs together than this.
+constexpr double kOneInCrowd = 0.8;
+constexpr int kCrowd = 7;
+// What was there a moment ago counts for so much more; it is what lies within this part of a
+// radius.
+constexpr double kMemory = 1.3;
+constexpr double kNearBefore = 1.0;
 
 using Branch = AxisBranches::Branch;
 
@@ -136,7 +146,8 @@ class View {
 /// Gives junctions and the beginnings of limbs the places that joints have there.
 class Arranging {
  public:
-  Arranging(const Region& region, AxisBranches& found) : region_(region), found_(found) {}
+  Arranging(const Region& region, AxisBranches& found, const SkeletonHints* hints)
+      : region_(region), found_(found), hints_(hints) {}
 
   void run() {
     findMouths();
@@ -147,18 +158,19 @@ class Arranging {
     for (uint32_t e = 0; e < found_.ends.size(); ++e) {
       places.push_back(isJunction(e) ? placeOf(e) : found_.ends[e].point);
     }
-    for (size_t b = 0; b < found_.branches.size(); ++b) redraw(found_.branches[b], mouths_[b], places);
+    for (size_t b = 0; b < found_.branches.size(); ++b)
+      redraw(found_.branches[b], mouths_[b], places);
     for (uint32_t e = 0; e < found_.ends.size(); ++e) found_.ends[e].point = places[e];
   }
 
  private:
   /// Where a branch becomes a limb of its own.
   struct Mouth {
-    double limb = 0;  // how much of a limb it is, 0 … 1
-    Vec2 place;       // the joint
-    double along = 0; // of the axis, from there on it is the limb's
-    double thin = 0;  // the least radius of its first stretch
-    Vec2 towards;     // where it leaves the ball
+    double limb = 0;   // how much of a limb it is, 0 … 1
+    Vec2 place;        // the joint
+    double along = 0;  // of the axis, from there on it is the limb's
+    double thin = 0;   // the least radius of its first stretch
+    Vec2 towards;      // where it leaves the ball
   };
 
   bool isJunction(uint32_t e) const { return found_.ends[e].branches > 2; }
@@ -170,14 +182,10 @@ class Arranging {
     }
   }
 
-  /// Junctions too near to each other for a bone become one, in their middle. Two that have a pair of
-  /// limbs each, as hips and shoulders, are joints of their own even in a stout body; many limbs that
-  /// leave a body side by side do so from one joint even where they are farther apart.
+  /// Junctions too near to each other for a bone become one, in their middle. Two that have a pair
+  /// of limbs each, as hips and shoulders, are joints of their own even in a stout body; many limbs
+  /// that leave a body side by side do so from one joint even where they are farther apart.
   void becomeOne() {
-    static const double kOne = std::getenv("ONE") ? std::atof(std::getenv("ONE")) : 0.35;
-    static const double kPairs = std::getenv("PAIRS") ? std::atof(std::getenv("PAIRS")) : 0.12;
-    static const double kCrowded = std::getenv("CROWDED") ? std::atof(std::getenv("CROWDED")) : 0.8;
-    static const int kCrowd = std::getenv("CROWD") ? std::atoi(std::getenv("CROWD")) : 7;
     const auto count = found_.ends.size();
     std::vector<double> limbs(count, 0);
     for (size_t b = 0; b < found_.branches.size(); ++b) {
@@ -188,10 +196,10 @@ class Arranging {
     for (const Branch& branch : found_.branches) {
       if (!isJunction(branch.from) || !isJunction(branch.to)) continue;
       const double ball = std::min(found_.ends[branch.from].radius, found_.ends[branch.to].radius);
-      const double apart = lengthOf(branch) / ball;
+      const double apart = lengthOf(branch) / ball * memoryOf(branch, ball);
       const bool pairs = std::min(limbs[branch.from], limbs[branch.to]) > 1.5;
-      if (apart < (pairs ? kPairs : kOne)) near.join(branch.from, branch.to);
-      if (apart < kCrowded) crowds.join(branch.from, branch.to);
+      if (apart < (pairs ? kOneWithPairs : kOne)) near.join(branch.from, branch.to);
+      if (apart < kOneInCrowd) crowds.join(branch.from, branch.to);
     }
     std::vector<int> single(count, 0);
     for (const Branch& branch : found_.branches) {
@@ -235,17 +243,38 @@ class Arranging {
     }
   }
 
+  /// More than 1 where both ends were junctions before, less where one junction was for both.
+  double memoryOf(const Branch& branch, double ball) const {
+    if (!hints_) return 1;
+    const Vec2 ends[2] = {found_.ends[branch.from].point, found_.ends[branch.to].point};
+    size_t nearest[2] = {0, 0};
+    for (int k = 0; k < 2; ++k) {
+      double least = kNearBefore * ball;
+      for (size_t i = 0; i < hints_->junctions.size(); ++i) {
+        const double here = distance(hints_->junctions[i], ends[k]);
+        if (!(here < least)) continue;
+        least = here;
+        nearest[k] = i + 1;
+      }
+    }
+    if (nearest[0] == 0 || nearest[1] == 0) return 1;
+    return nearest[0] == nearest[1] ? 1 / kMemory : kMemory;
+  }
+
   /// Lets a branch begin (or end) elsewhere, by what it has at least as far away.
   void goTo(Branch& branch, bool backwards, Vec2 to) const {
     if (backwards) reverse(branch);
     const double by = distance(branch.line[0], to);
     size_t next = 1;
-    while (next + 1 < branch.line.size() && distance(branch.line[next], branch.line[0]) < by) ++next;
+    while (next + 1 < branch.line.size() && distance(branch.line[next], branch.line[0]) < by)
+      ++next;
     if (!segmentInside(region_, to, branch.line[next])) next = 0;
     branch.line.erase(branch.line.begin(), branch.line.begin() + static_cast<long>(next));
-    branch.radii.erase(branch.radii.begin() + 1, branch.radii.begin() + static_cast<long>(next ? next : 1));
+    branch.radii.erase(branch.radii.begin() + 1,
+                       branch.radii.begin() + static_cast<long>(next ? next : 1));
     branch.line.insert(branch.line.begin(), to);
-    if (branch.radii.size() < branch.line.size()) branch.radii.insert(branch.radii.begin(), branch.radii[0]);
+    if (branch.radii.size() < branch.line.size())
+      branch.radii.insert(branch.radii.begin(), branch.radii[0]);
     if (backwards) reverse(branch);
   }
 
@@ -300,10 +329,12 @@ class Arranging {
     Vec2 place = end.point;
     const double last = pair * std::clamp(2 - bodies, 0.0, 1.0);
     place = lerp(place, sum / limbs, kTowardsLimbs * last);
-    const double through = pair * std::clamp(bodies - 1, 0.0, 1.0) * std::clamp(3 - bodies, 0.0, 1.0);
+    const double through =
+        pair * std::clamp(bodies - 1, 0.0, 1.0) * std::clamp(3 - bodies, 0.0, 1.0);
     for (const Body& neck : all) {
       for (const Body& trunk : all) {
-        const double thinner = std::clamp((trunk.thin - neck.thin) / (kNeck * end.radius), 0.0, 1.0);
+        const double thinner =
+            std::clamp((trunk.thin - neck.thin) / (kNeck * end.radius), 0.0, 1.0);
         const double share = std::min(neck.share * trunk.share, 1.0) * through * thinner;
         const Vec2 way = neck.towards - end.point;
         const double size = length(way);
@@ -353,7 +384,8 @@ class Arranging {
     }
     if (line.size() == 1) {
       const double by = distance(branch.line[0], to);
-      while (next + 1 < branch.line.size() && distance(branch.line[next], branch.line[0]) < by) ++next;
+      while (next + 1 < branch.line.size() && distance(branch.line[next], branch.line[0]) < by)
+        ++next;
       if (!segmentInside(region_, to, branch.line[next])) {
         next = 1;
         line.push_back(branch.line[0]);
@@ -369,6 +401,7 @@ class Arranging {
 
   const Region& region_;
   AxisBranches& found_;
+  const SkeletonHints* hints_;
   std::vector<std::array<Mouth, 2>> mouths_;  // of each branch: at its beginning, at its end
 };
 
@@ -469,8 +502,8 @@ class Mirroring {
     }
   }
 
-  /// Where an end has two branches, as where the one between them was on the other side alone, these
-  /// are one; and so are their images.
+  /// Where an end has two branches, as where the one between them was on the other side alone,
+  /// these are one; and so are their images.
   bool joinOne() {
     for (uint32_t e = 0; e < found_.ends.size(); ++e) {
       if (found_.ends[e].branches != 2) continue;
@@ -482,7 +515,8 @@ class Mirroring {
       const uint32_t image = found_.ends[e].image;
       if (both[0] == found_.branches[both[0]].image && image != e) std::swap(both[0], both[1]);
       const auto [one, other] = std::pair{both[0], both[1]};
-      const uint32_t one_image = found_.branches[one].image, other_image = found_.branches[other].image;
+      const uint32_t one_image = found_.branches[one].image,
+                     other_image = found_.branches[other].image;
       join(one, other, e);
       if (image == e) {  // there and back, or along the line
         found_.branches[one].image = one;
@@ -588,9 +622,9 @@ std::optional<AxisBranches> mirroredBranches(const AxisBranches& branches, const
   return Mirroring(branches, line).run();
 }
 
-AxisBranches branchesOf(const Region& region, const Axis& axis) {
+AxisBranches branchesOf(const Region& region, const Axis& axis, const SkeletonHints* hints) {
   AxisBranches found = divided(axis);
-  Arranging(region, found).run();
+  Arranging(region, found, hints).run();
   // Those that have become a part of others are gone.
   std::vector<uint32_t> renamed(found.ends.size());
   uint32_t kept = 0;

@@ -33,9 +33,12 @@ struct AxisBranches {
   std::vector<Branch> branches;
 };
 
-/// Junctions nearer to each other than most of their balls' radius are one, in the middle of what
-/// lies between them: limbs that leave a body at one place leave from one joint.
-AxisBranches branchesOf(const Region& region, const Axis& axis);
+/// Divides the axis at its junctions, and gives junctions and limbs the places that joints have in
+/// bodies: junctions too near to each other for a bone are one; limbs thinner than their body leave
+/// it by a mouth on their own line, as hips and shoulders are; a body's end joint lies towards its
+/// limbs' mouths; a chest, towards the neck. Lines stay in the region where the axis does.
+AxisBranches branchesOf(const Region& region, const Axis& axis,
+                        const SkeletonHints* hints = nullptr);
 
 /// What lies on one side of a line, and on it, with its mirror image: ends on the line exactly on
 /// it, the others in pairs; branches too, whose images have images for ends in the same order. Of a

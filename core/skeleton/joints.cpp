@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <utility>
 
@@ -73,20 +71,27 @@ class Placement {
   /// Samples and levels.
   PartSkeleton::Branch branchAlong(const AxisBranches::Branch& way, uint32_t index) const {
     PartSkeleton::Branch branch;
-    const bool across = mirror_ && way.image == index &&
-                        axis_.ends[way.from].image == way.to && way.from != way.to;
-    branch.samples = across
-                         ? sampleMirroredBranch(region_, lineOf(way), step_, *mirror_)
-                         : sampleBranch(region_, lineOf(way), step_);
+    const bool across =
+        mirror_ && way.image == index && axis_.ends[way.from].image == way.to && way.from != way.to;
+    branch.samples = across ? sampleMirroredBranch(region_, lineOf(way), step_, *mirror_)
+                            : sampleBranch(region_, lineOf(way), step_);
     BoundedDpOptions all = dp_;
     all.epsilon = 0;
     branch.levels = branchLevels(region_, branch.samples, all);
     addLimbJoints(branch.samples, endOf(way, false), endOf(way, true), usual_, branch.levels);
-    if (across) {
-      const size_t count = branch.levels.size();
-      for (size_t k = 0; k < count / 2; ++k) branch.levels[k] = branch.levels[count - 1 - k];
-    }
+    std::vector<double> before;
+    do {
+      before = branch.levels;
+      keepInside(region_, branch.samples, branch.levels);
+      if (across) makeEven(branch.levels);
+    } while (across && branch.levels != before);
     return branch;
+  }
+
+  static void makeEven(std::vector<double>& levels) {
+    for (size_t k = 0, other = levels.size() - 1; k < other; ++k, --other) {
+      levels[k] = levels[other] = std::max(levels[k], levels[other]);
+    }
   }
 
   PartSkeleton::Branch imageOf(const PartSkeleton::Branch& branch) const {
@@ -100,6 +105,8 @@ class Placement {
 
   void addBones(const AxisBranches::Branch& way, PartSkeleton::Branch branch) {
     branch.first_bone = static_cast<uint32_t>(result_.bones.size());
+    branch.samples.front().point = result_.joints[way.from].position;
+    branch.samples.back().point = result_.joints[way.to].position;
     branch.joints.push_back(way.from);
     const auto& samples = branch.samples;
     branch.at.push_back(0);
@@ -151,6 +158,16 @@ const char* toString(JointKind kind) {
   return "";
 }
 
+SkeletonHints hintsOf(const PartSkeleton& skeleton) {
+  SkeletonHints hints;
+  for (const auto& joint : skeleton.joints) {
+    if (joint.kind == JointKind::terminal) hints.ends.push_back(joint.position);
+    if (joint.kind == JointKind::junction) hints.junctions.push_back(joint.position);
+  }
+  hints.mirrored = skeleton.mirror.has_value();
+  return hints;
+}
+
 Result<PartSkeleton> placeJoints(const std::vector<Vec2>& polygon, const Axis& axis, double scale,
                                  const JointOptions& options, const std::vector<Vec2>* outline,
                                  const MirrorLine* mirror) {
@@ -159,11 +176,10 @@ Result<PartSkeleton> placeJoints(const std::vector<Vec2>& polygon, const Axis& a
   }
   if (!std::isfinite(scale) || scale < 0) return Status::skeletonFailed;
   Region region{polygon, outline};
-  AxisBranches branches = branchesOf(region, axis);
+  AxisBranches branches = branchesOf(region, axis, options.hints ? &*options.hints : nullptr);
   if (!mirror) return Placement(region, std::move(branches), nullptr, scale, options).run();
 
   auto both = mirroredBranches(branches, *mirror);
-  if (std::getenv("SYM") && !both) std::fprintf(stderr, "no both\n");
   if (!both) return {Status::skeletonFailed, "The skeleton is not symmetric."};
   std::vector<Vec2> image;
   if (outline) {
@@ -173,7 +189,6 @@ Result<PartSkeleton> placeJoints(const std::vector<Vec2>& polygon, const Axis& a
   for (const AxisBranches::Branch& branch : both->branches) {
     for (size_t k = 0; k + 1 < branch.line.size(); ++k) {
       if (segmentInside(region, branch.line[k], branch.line[k + 1])) continue;
-      if (std::getenv("SYM")) std::fprintf(stderr, "leaves at %.1f %.1f - %.1f %.1f\n", branch.line[k].x, branch.line[k].y, branch.line[k+1].x, branch.line[k+1].y);
       return {Status::skeletonFailed, "The symmetric skeleton leaves the shape."};
     }
   }

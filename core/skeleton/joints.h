@@ -24,6 +24,7 @@ struct JointOptions {
   double epsilon_s = 5.0;     // BoundedDP threshold, units at the reference perimeter
   double shape_weight = 1.0;  // α_s of Equation 1
   double shrink = 0.8;        // the threshold's factor while a bone leaves the shape
+  std::optional<SkeletonHints> hints;
 };
 
 /// A part's own skeleton in the part's plane: a tree.
@@ -44,18 +45,20 @@ struct PartSkeleton {
     std::vector<uint32_t> at;           // sample of each joint
     std::vector<double> levels;         // one per sample, see branchLevels and addLimbJoints
 
-    uint32_t image = 0;                 // the branch that is its mirror image, or itself; see mirror
+    uint32_t image = 0;  // the branch that is its mirror image, or itself; see mirror
 
     double length() const { return samples.back().along; }
   };
   std::vector<Joint> joints;                   // terminals and junctions first, then the sleeves
   std::vector<std::array<uint32_t, 2>> bones;  // pairs of joint indices
   std::vector<Branch> branches;
-  /// The line across which it is its own mirror image: joints on it are exactly on it, the others in
-  /// pairs, and so are branches. An image has the images of all samples and joints in the same
+  /// The line across which it is its own mirror image: joints on it are exactly on it, the others
+  /// in pairs, and so are branches. An image has the images of all samples and joints in the same
   /// order; a branch that goes across the line is its own, backwards.
   std::optional<MirrorLine> mirror;
 };
+
+SkeletonHints hintsOf(const PartSkeleton& skeleton);
 
 /// scale: what epsilon_s is multiplied by, Outline::scale().
 /// outline: what the polygon was simplified from, if bones have to stay inside that too; the axis

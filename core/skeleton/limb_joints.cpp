@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 
 namespace marrow {
@@ -13,7 +12,7 @@ constexpr double kAlways = std::numeric_limits<double>::infinity();
 // Limbs longer than so many of their radii have a joint,
 constexpr double kLong = 3;
 // in this part of their length around the middle; in the narrowest place of it, where that is
-static const double kAside = std::getenv("ASIDE") ? std::atof(std::getenv("ASIDE")) : 0.3;
+constexpr double kAside = 0.3;
 // narrower than this part of what is on both sides of it.
 constexpr double kNarrow = 0.75;
 // What bends nearer to the middle of a junction's ball than this part of its radius does not count.
@@ -67,7 +66,8 @@ class LimbJoints {
     if (!end.mouth) return from_end ? last_ : 0;
     size_t best = 1;
     for (size_t i = 1; i < last_; ++i) {
-      if (distance(samples_[i].point, *end.mouth) < distance(samples_[best].point, *end.mouth)) best = i;
+      if (distance(samples_[i].point, *end.mouth) < distance(samples_[best].point, *end.mouth))
+        best = i;
     }
     return best;
   }
@@ -122,11 +122,8 @@ class LimbJoints {
     const double length = along(last_);
     for (const size_t i : order) {
       const double radius = std::max(samples_[i].radius, body_);
-      bool crowded = false;
-      if (levels_[i] < kMouthLevel * usual_) {
-        crowded = along(i) < (start.junction ? kInBall * start.radius : radius) ||
-                  length - along(i) < (end.junction ? kInBall * end.radius : radius);
-      }
+      bool crowded = isCrowded(along(i), start, radius, levels_[i]) ||
+                     isCrowded(length - along(i), end, radius, levels_[i]);
       for (const size_t other : kept) {
         crowded = crowded || std::abs(along(i) - along(other)) < radius;
       }
@@ -136,6 +133,12 @@ class LimbJoints {
         kept.push_back(i);
       }
     }
+  }
+
+  /// Too near to an end for a joint of that radius and level.
+  bool isCrowded(double away, const BranchEnd& end, double radius, double level) const {
+    if (!end.junction) return away < radius;
+    return away < kInBall * end.radius && level < kMouthLevel * usual_;
   }
 
   const std::vector<BranchSample>& samples_;

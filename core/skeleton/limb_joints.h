@@ -11,7 +11,7 @@ namespace marrow {
 /// What a branch ends in.
 struct BranchEnd {
   bool junction = false;
-  double radius = 0;  // of the ball there
+  double radius = 0;          // of the ball there
   std::optional<Vec2> mouth;  // where a limb that begins there has its joint: one of the samples
 };
 

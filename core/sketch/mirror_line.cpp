@@ -8,14 +8,14 @@
 namespace marrow {
 namespace {
 
-constexpr size_t kCoarse = 72;     // samples for the first look
-constexpr size_t kFine = 96;       // on each side, to bring both together
-constexpr size_t kBand = 10;       // of these, how far the sides may be out of step
-constexpr double kAlike = 0.97;    // of the correlation of a curve with itself; 1 for a symmetric one
-constexpr double kUpright = 0.003; // what an upright line counts for in it, and in the end
-constexpr double kAsGood = 0.02;   // behind the best in it
+constexpr size_t kCoarse = 72;   // samples for the first look
+constexpr size_t kFine = 96;     // on each side, to bring both together
+constexpr size_t kBand = 10;     // of these, how far the sides may be out of step
+constexpr double kAlike = 0.97;  // of the correlation of a curve with itself; 1 for a symmetric one
+constexpr double kUpright = 0.003;  // what an upright line counts for in it, and in the end
+constexpr double kAsGood = 0.02;    // behind the best in it
 constexpr size_t kCandidates = 3;
-constexpr double kAside = 0.04;    // of the curve: how far from there it may meet the line
+constexpr double kAside = 0.04;  // of the curve: how far from there it may meet the line
 
 Vec2 times(Vec2 a, Vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
 
@@ -76,8 +76,7 @@ std::vector<Candidate> candidates(const std::vector<Vec2>& samples) {
     // Between the samples, by a parabola.
     const double before = plain[(k + m - 1) % m], after = plain[(k + 1) % m];
     const double bend = before - 2 * plain[k] + after;
-    const double beside =
-        bend < 0 ? std::clamp((before - after) / (2 * bend), -0.5, 0.5) : 0;
+    const double beside = bend < 0 ? std::clamp((before - after) / (2 * bend), -0.5, 0.5) : 0;
     best.push_back({static_cast<double>(k) + beside, fits[k]});
   }
   std::stable_sort(best.begin(), best.end(),
@@ -211,7 +210,8 @@ MirrorFit fitOf(const std::vector<Vec2>& samples, double shift) {
     for (size_t part = 0; part < (next > k ? fine : 1); ++part) {
       const double t = static_cast<double>(part) / static_cast<double>(fine);
       const auto between_pairs = [&](size_t from, size_t to) {
-        return static_cast<double>(from) + (static_cast<double>(to) - static_cast<double>(from)) * t;
+        return static_cast<double>(from) +
+               (static_cast<double>(to) - static_cast<double>(from)) * t;
       };
       const Vec2 c =
           at(samples, begin + per_one * between_pairs(pairs[k].first, pairs[next].first));
@@ -241,8 +241,8 @@ std::vector<Vec2> mirroredWhole(const MirrorFit& fit) {
 
 std::optional<MirrorFit> findMirrorLine(const std::vector<Vec2>& samples) {
   if (samples.size() < 12) return {};
-  const double per = static_cast<double>(samples.size()) /
-                     static_cast<double>(std::min(kCoarse, samples.size()));
+  const double per =
+      static_cast<double>(samples.size()) / static_cast<double>(std::min(kCoarse, samples.size()));
   std::optional<MirrorFit> best;
   double most = 0;
   for (const Candidate& candidate : candidates(samples)) {

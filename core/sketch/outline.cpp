@@ -40,17 +40,11 @@ constexpr double kStepsAcross = 0.2;  // × OutlineOptions::samples, over the sh
 constexpr double kMostFiner = 8;      // × OutlineOptions::samples, for thin shapes
 constexpr double kPixelsPerStep = 4;  // at least, where samples lie on whole pixels
 constexpr int kStepHalvings = 4;
-constexpr double kToleranceByWidth = 0.15;     // × the shape's mean width, at most
-constexpr double kToleranceAcross = 1 / 130.;  // × the shape's diameter, at most
-constexpr double kToleranceByPixel = 0.75;
-constexpr int kToleranceCuts = 24;
-constexpr double kToleranceCut = 0.7;
-// More than this are the frays of a scribble: the tolerance grows while the shape bears it.
-constexpr size_t kManyVertices = 250;
-constexpr int kCoarserRounds = 2;
+constexpr double kLeastSteadiness = 1. / 64;
 // More alike than this a shape and its mirror image are meant to be the same.
 constexpr double kAlike = 0.86;
-constexpr double kMirroredMiss = 0.02;  // as in skeletonPolygon
+constexpr double kAlikeMemory = 0.03;   // less for what was so a moment ago, more for what was not
+constexpr double kMirroredMiss = 0.02;  // as in fewVertices
 constexpr double kOnLine = 1e-9;        // × the shape's diameter
 constexpr double kSpikeBySteps = 0.04;  // thinner spikes than this go,
 constexpr double kSpikeByWidth = 0.05;  // if they are that thin beside the shape as well
@@ -210,7 +204,7 @@ bool isGood(const std::vector<Vec2>& polygon) {
 struct Source {
   std::vector<Vec2> loop;  // local frame
   Frame frame;
-  double step, tolerance;
+  double step;
   double near;  // closer to a line than this is on it
 };
 
@@ -245,13 +239,8 @@ Source sourceOf(std::vector<Vec2> loop, const OutlineOptions& options, double pi
   const double step = std::max(std::min(kPixelsPerStep * pixel, length_of_loop / 40),
                                std::min({even_step, diameter / (kStepsAcross * samples),
                                          std::max(width, even_step / kMostFiner)}));
-  const double tolerance =
-      std::max(std::min(kToleranceByPixel * pixel, length_of_loop / 400),
-               std::min({options.tolerance * length_of_loop / kReferencePerimeter,
-                         kToleranceByWidth * width, kToleranceAcross * diameter}));
-
   const double near = std::max(kOnLine * diameter, 4 * resolution);
-  return {std::move(loop), frame, step, tolerance, near};
+  return {std::move(loop), frame, step, near};
 }
 
 LocalAndModel makeDense(const Source& source) {
@@ -265,54 +254,36 @@ LocalAndModel makeDense(const Source& source) {
   return dense.model.empty() ? finished(source, convexHull(source.loop)) : dense;
 }
 
-std::vector<Vec2> makePolygon(const Source& source, const LocalAndModel& dense) {
-  const auto at = [&](double tolerance) {
-    const std::vector<uint32_t> kept = simplify(dense.local, tolerance);
-    std::vector<Vec2> polygon;
-    polygon.reserve(kept.size());
-    for (const uint32_t i : kept) polygon.push_back(dense.local[i]);
-    return finished(source, polygon).model;
-  };
-  double tolerance = source.tolerance;
-  std::vector<Vec2> polygon = at(tolerance);
-  for (int cut = 0; polygon.empty() && cut < kToleranceCuts; ++cut) {
-    tolerance *= kToleranceCut;
-    polygon = at(tolerance);
-  }
-  if (polygon.empty()) return dense.model;
-  for (int round = 0; polygon.size() > kManyVertices && round < kCoarserRounds; ++round) {
-    tolerance /= kToleranceCut;
-    std::vector<Vec2> coarser = at(tolerance);
-    if (coarser.empty()) break;
-    polygon = std::move(coarser);
-  }
-  return polygon;
-}
-
 /// Simple, or nothing.
-std::vector<Vec2> polygonOf(const Source& source, const std::vector<Vec2>& samples, double step) {
-  return finished(source, skeletonPolygon(samples, step)).model;
+std::vector<Vec2> polygonOf(const Source& source, const std::vector<Vec2>& vertices, double step) {
+  return finished(source, bevelled(vertices, step)).model;
 }
 
-/// The skeleton's polygon, symmetric where that is wanted or seen.
-void setPolygon(const Source& source, std::optional<bool> symmetric, Outline& outline) {
+struct Steady {
+  std::vector<Vec2> samples;  // local frame
+  std::vector<Vec2> polygon;  // model units
+  double step;
+};
+
+/// As smooth as it may be with a simple polygon.
+Steady makeSteady(const Source& source, const LocalAndModel& dense, double steadiness) {
   const ArcCurve curve(source.loop);
-  double step = source.step;
-  std::vector<Vec2> samples;
-  std::vector<Vec2> polygon;
-  for (int halving = 0; halving <= kStepHalvings && polygon.empty(); ++halving, step /= 2) {
-    samples = steadyCurve(curve, step);
-    polygon = polygonOf(source, samples, step);
+  Steady steady;
+  steady.step = source.step * std::max(steadiness, kLeastSteadiness);
+  for (int halving = 0; halving <= kStepHalvings; ++halving, steady.step /= 2) {
+    steady.samples = steadyCurve(curve, steady.step);
+    if (!(steadiness > 0)) break;
+    steady.polygon = polygonOf(source, fewVertices(steady.samples, steady.step), steady.step);
+    if (!steady.polygon.empty()) return steady;
   }
-  if (polygon.empty()) return;
-  step *= 2;
-  outline.polygon = std::move(polygon);
-  outline.mirror.reset();
-  const auto fit = findMirrorLine(samples);
-  outline.likeness = fit ? fit->overlap : 0;
-  if (!fit || !symmetric.value_or(fit->overlap >= kAlike)) return;
-  std::vector<Vec2> whole = mirroredWhole(*fit);
-  // The vertices of the one half, and their images.
+  steady.polygon = polygonOf(source, dense.local, source.step);
+  if (steady.polygon.empty()) steady.polygon = dense.model;
+  return steady;
+}
+
+/// One half's vertices, and their images: bevelled, in model units. Empty where that is not simple.
+std::vector<Vec2> symmetricPolygon(const Source& source, const MirrorFit& fit, double step) {
+  const std::vector<Vec2> whole = mirroredWhole(fit);
   const size_t half = whole.size() / 2;
   std::vector<uint32_t> kept = simplify(whole, kMirroredMiss * step);
   std::sort(kept.begin(), kept.end());
@@ -322,8 +293,22 @@ void setPolygon(const Source& source, std::optional<bool> symmetric, Outline& ou
   }
   const size_t own = few.size();
   few.push_back(whole[half]);
-  for (size_t i = own; i-- > 1;) few.push_back(fit->line.mirrored(few[i]));
-  polygon = finished(source, bevelled(few, step)).model;
+  for (size_t i = own; i-- > 1;) few.push_back(fit.line.mirrored(few[i]));
+  return polygonOf(source, few, step);
+}
+
+/// The skeleton's polygon, symmetric where that is wanted or seen.
+void setPolygon(const Source& source, const LocalAndModel& dense, const OutlineOptions& options,
+                Outline& outline) {
+  Steady steady = makeSteady(source, dense, options.steadiness);
+  outline.polygon = std::move(steady.polygon);
+  outline.mirror.reset();
+  const auto fit = findMirrorLine(steady.samples);
+  outline.likeness = fit ? fit->overlap : 0;
+  double alike = kAlike;
+  if (options.was_symmetric) alike += *options.was_symmetric ? -kAlikeMemory : kAlikeMemory;
+  if (!fit || !options.symmetric.value_or(fit->overlap >= alike)) return;
+  std::vector<Vec2> polygon = symmetricPolygon(source, *fit, steady.step);
   if (polygon.empty()) return;
   outline.polygon = std::move(polygon);
   outline.mirror = MirrorLine{source.frame.toModel(fit->line.through), fit->line.along};
@@ -354,8 +339,7 @@ Result<Outline> makeOutline(const std::vector<Vec2>& stroke, const OutlineOption
     const Source source = sourceOf(loop.points, options, pixel, frame, frame.resolution(box));
     dense = makeDense(source);
     if (dense.model.empty()) return Status::noArea;
-    outline.polygon = makePolygon(source, dense);
-    setPolygon(source, options.symmetric, outline);
+    setPolygon(source, dense, options, outline);
     const bool few = dense.model.size() <= kMostDense && outline.polygon.size() <= kMostInPolygon;
     if (few || bits < kFewestBits) break;
     auto coarser = outerBoundary(snapped(loop.points, bits));

@@ -15,12 +15,13 @@ namespace marrow {
 constexpr double kReferencePerimeter = 2000;
 
 struct OutlineOptions {
-  int samples = 200;       // resampling step = perimeter ÷ samples [RS Fig. 19]; finer for thin
-                           // shapes, coarser for small ones drawn on whole pixels
-  double tolerance = 3.0;  // Douglas–Peucker for `polygon`, units at the reference perimeter;
-                           // smaller for thin shapes
+  int samples = 200;      // resampling step = perimeter ÷ samples [RS Fig. 19]; finer for thin
+                          // shapes, coarser for small ones drawn on whole pixels
+  double steadiness = 1;  // how far `polygon` is averaged along the curve to either side, × step;
+                           // 0: not at all, it lies inside `dense`
   std::optional<bool> symmetric;  // whether `polygon` is to be its own mirror image; unset: where
                                   // what was drawn nearly is
+  std::optional<bool> was_symmetric;  // a moment ago: "nearly" means less then, or more
 };
 
 struct Outline {
@@ -28,8 +29,8 @@ struct Outline {
                               // one piece; for the mesh
   std::vector<Vec2> polygon;  // smoother, with few vertices; input of the skeleton
   std::optional<MirrorLine> mirror;  // where `polygon` is its own mirror image
-  double likeness = 0;  // of `dense` to its mirror image across the best line: MirrorFit::overlap
-  double perimeter = 0;       // of `dense`, model units
+  double likeness = 0;   // of `dense` to its mirror image across the best line: MirrorFit::overlap
+  double perimeter = 0;  // of `dense`, model units
   bool crossed_itself = false;  // the stroke did: `dense` is the border of its largest piece
 
   /// What a threshold given at the reference perimeter is multiplied by.

@@ -9,9 +9,11 @@
 namespace marrow {
 namespace {
 
-constexpr double kFiner = 3;        // samples a step
-constexpr double kFewest = 12;      // samples
-constexpr double kMiss = 0.02;      // of the step: how far the curve may be missed
+constexpr double kFiner = 3;    // samples a step
+constexpr double kFewest = 12;  // samples
+constexpr double kMiss = 0.02;  // of the step: how far the curve may be missed
+constexpr double kMissOfMany = 0.2;
+constexpr size_t kMany = 1000;
 constexpr double kBevel = 0.02;     // of the step: how far a bevelled corner is cut
 constexpr double kSharpTurn = 0.5;  // cosine of the sharpest turn inward that is left: 60°
 
@@ -61,10 +63,13 @@ std::vector<Vec2> steadyCurve(const ArcCurve& curve, double step) {
   return smooth;
 }
 
-std::vector<Vec2> skeletonPolygon(const std::vector<Vec2>& samples, double step) {
+std::vector<Vec2> fewVertices(const std::vector<Vec2>& samples, double step) {
+  std::vector<uint32_t> kept = simplify(samples, kMiss * step);
+  if (kept.size() > kMany) kept = simplify(samples, kMissOfMany * step);
   std::vector<Vec2> few;
-  for (const uint32_t i : simplify(samples, kMiss * step)) few.push_back(samples[i]);
-  return bevelled(few, step);
+  few.reserve(kept.size());
+  for (const uint32_t i : kept) few.push_back(samples[i]);
+  return few;
 }
 
 std::vector<Vec2> bevelled(const std::vector<Vec2>& polygon, double step) {

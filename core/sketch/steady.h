@@ -13,9 +13,10 @@ namespace marrow {
 /// starts on the curve does not matter, but for rounding.
 std::vector<Vec2> steadyCurve(const ArcCurve& curve, double step);
 
-/// Of such samples, counter-clockwise, the vertices that are needed to keep within a fiftieth of
-/// `step`, bevelled. Not necessarily simple: smaller steps follow the curve more closely.
-std::vector<Vec2> skeletonPolygon(const std::vector<Vec2>& samples, double step);
+/// Of such samples the vertices that are needed to keep within a fiftieth of `step`; of long
+/// curves, which would have more than a thousand, within a fifth. Not necessarily simple: smaller
+/// steps follow the curve more closely.
+std::vector<Vec2> fewVertices(const std::vector<Vec2>& samples, double step);
 
 /// A counter-clockwise polygon with edges shorter than `step` across corners that turn sharply
 /// inward. The straight skeleton's vertices would run ahead of the others there, the faster the

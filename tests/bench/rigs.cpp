@@ -10,7 +10,6 @@
 #include "bench/measure.h"
 #include "document/evaluation.h"
 #include "rig/connect.h"
-#include "skeleton/inside.h"
 
 namespace marrow::bench {
 namespace {
@@ -23,34 +22,13 @@ struct SubSkeleton {
 
 bool makeSubSkeleton(const std::vector<Vec2>& stroke, SubSkeleton& made,
                      std::array<double, 4>& stages_ms) {
-  constexpr int kAttempts = 6;
-  OutlineOptions options;
-  Axis axis;
-  double lap_ms = now();
-  const auto lap = [&](size_t stage) {
-    const double now_ms = now();
-    stages_ms[stage] += now_ms - lap_ms;
-    lap_ms = now_ms;
-  };
-  for (int attempt = 1; attempt <= kAttempts; ++attempt, options.tolerance /= 4) {
-    auto outline = makeOutline(stroke, options);
-    if (!outline) return false;
-    made.outline = std::move(*outline);
-    lap(0);
-    auto straight = straightSkeleton(made.outline.polygon);
-    if (!straight) return false;
-    lap(1);
-    auto found = extractAxis(made.outline.polygon, *straight);
-    if (!found) return false;
-    axis = std::move(*found);
-    lap(2);
-    if (segmentsInside(made.outline.dense, axis.points, axis.edges)) break;
+  auto part = buildSkeleton(stroke, {}, now);
+  if (!part) return false;
+  for (size_t stage = 0; stage < stages_ms.size(); ++stage) {
+    stages_ms[stage] += part->timings.stages_ms[stage].second;
   }
-  auto skeleton =
-      placeJoints(made.outline.polygon, axis, made.outline.scale(), {}, &made.outline.dense);
-  if (!skeleton) return false;
-  made.skeleton = std::move(*skeleton);
-  lap(3);
+  made.outline = std::move(part->outline);
+  made.skeleton = std::move(part->skeleton);
   return true;
 }
 

@@ -27,6 +27,7 @@ struct Bones {
   std::vector<Vec2> joints;
   std::vector<Vec2> tips;
   std::vector<int> topology;  // numbers of bones at terminals and junctions, ascending
+  SkeletonHints hints;
 };
 
 Bones bonesOf(const Rig& rig) {
@@ -48,16 +49,21 @@ Bones bonesOf(const Rig& rig) {
   return bones;
 }
 
-std::optional<Bones> bonesOf(const Stroke& stroke) {
+/// hints: of the frame before, in the live preview.
+std::optional<Bones> bonesOf(const Stroke& stroke, const std::optional<SkeletonHints>& hints = {}) {
   Document document;
   auto part = std::make_shared<PartSource>();
   part->id = partId(takePartNumber(document));
   part->stroke = stroke;
   document.parts.push_back(part);
-  Evaluation evaluation(previewOptions());
+  PartOptions options = previewOptions();
+  options.hints = hints;
+  Evaluation evaluation(options);
   evaluation.update(document);
   if (!evaluation.parts()[0].part) return {};
-  return bonesOf(evaluation.rig());
+  Bones bones = bonesOf(evaluation.rig());
+  bones.hints = hintsOf(evaluation.parts()[0].part->skeleton);
+  return bones;
 }
 
 std::vector<Vec2> pointsOn(const Bones& bones) {
@@ -74,7 +80,8 @@ double farthest(const std::vector<Vec2>& points, const Bones& from) {
   double most = 0;
   for (const Vec2 p : points) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& [a, b] : from.segments) nearest = std::min(nearest, distanceToSegment(a, b, p));
+    for (const auto& [a, b] : from.segments)
+      nearest = std::min(nearest, distanceToSegment(a, b, p));
     most = std::max(most, nearest);
   }
   return most;
@@ -125,14 +132,16 @@ Stroke withTremor(const Stroke& samples, Random& random, double step = 4, double
     for (int k = -reach; k <= reach; ++k) {
       const double away = k * step / smooth;
       const auto other = static_cast<size_t>(((i + k) % n + n) % n);
-      noise[static_cast<size_t>(i)] = noise[static_cast<size_t>(i)] + white[other] * std::exp(-0.5 * away * away);
+      noise[static_cast<size_t>(i)] =
+          noise[static_cast<size_t>(i)] + white[other] * std::exp(-0.5 * away * away);
     }
     const Vec2 v = noise[static_cast<size_t>(i)];
     squares = squares + Vec2{v.x * v.x, v.y * v.y};
   }
   Stroke trembled = samples;
   for (size_t i = 0; i < trembled.size(); ++i) {
-    trembled[i] = trembled[i] + Vec2{noise[i].x / std::sqrt(squares.x / n), noise[i].y / std::sqrt(squares.y / n)};
+    trembled[i] = trembled[i] + Vec2{noise[i].x / std::sqrt(squares.x / n),
+                                     noise[i].y / std::sqrt(squares.y / n)};
   }
   return trembled;
 }
@@ -187,7 +196,8 @@ std::optional<Stroke> madeSymmetric(const Stroke& stroke) {
   }
   if (best_count < 20 || best_count == n) return {};
   Stroke half;
-  for (size_t k = 0; k < best_count; ++k) half.push_back(samples[(best_start + k) % n] - Vec2{middle.x, 0});
+  for (size_t k = 0; k < best_count; ++k)
+    half.push_back(samples[(best_start + k) % n] - Vec2{middle.x, 0});
   Stroke whole = half;
   for (size_t k = best_count; k-- > 0;) whole.push_back({-half[k].x, half[k].y});
   if (!isSimple(whole)) return {};
@@ -206,12 +216,14 @@ class Raster {
       const double at = low_.y + (y + 0.5) * kCell;
       for (size_t i = 0; i < stroke.size(); ++i) {
         const Vec2 a = stroke[i], b = stroke[(i + 1) % stroke.size()];
-        if ((a.y <= at) != (b.y <= at)) crossings.push_back(a.x + (b.x - a.x) * (at - a.y) / (b.y - a.y));
+        if ((a.y <= at) != (b.y <= at))
+          crossings.push_back(a.x + (b.x - a.x) * (at - a.y) / (b.y - a.y));
       }
       std::sort(crossings.begin(), crossings.end());
       for (int x = 0; x < kSide; ++x) {
         const double here = low_.x + (x + 0.5) * kCell;
-        const auto before = std::lower_bound(crossings.begin(), crossings.end(), here) - crossings.begin();
+        const auto before =
+            std::lower_bound(crossings.begin(), crossings.end(), here) - crossings.begin();
         inside_[static_cast<size_t>(y * kSide + x)] = before % 2 != 0;
       }
     }
@@ -234,7 +246,8 @@ class Raster {
   bool at(Vec2 p) const {
     const int x = static_cast<int>(std::floor((p.x - low_.x) / kCell)),
               y = static_cast<int>(std::floor((p.y - low_.y) / kCell));
-    return x >= 0 && y >= 0 && x < kSide && y < kSide && inside_[static_cast<size_t>(y * kSide + x)];
+    return x >= 0 && y >= 0 && x < kSide && y < kSide &&
+           inside_[static_cast<size_t>(y * kSide + x)];
   }
   static constexpr int kSide = 200;
   static constexpr double kCell = 2 * kSize / kSide;
@@ -291,7 +304,8 @@ double outlineChange(const Stroke& one, const Stroke& other) {
 }  // namespace
 
 std::vector<QualityRow> skeletonQuality(const std::vector<NamedStroke>& drawings, bool verbose) {
-  Share unsymmetric, uneven, nearly, topology, moved, sampled_topology, sampled_moved, jumps, bumped;
+  Share unsymmetric, uneven, nearly, topology, moved, sampled_topology, sampled_moved, jumps,
+      bumped;
   const auto say = [&](const char* what, const std::string& name, double value) {
     if (verbose) std::fprintf(stderr, "%s %s %.1f\n", what, name.c_str(), value);
   };
@@ -360,12 +374,15 @@ std::vector<QualityRow> skeletonQuality(const std::vector<NamedStroke>& drawings
     std::optional<Bones> before;
     Stroke last;
     for (int frame = kFrames / 4; frame <= kFrames; ++frame) {
-      const Stroke prefix(samples.begin(),
-                          samples.begin() + static_cast<long>(samples.size() * static_cast<size_t>(frame) / kFrames));
-      const auto bones = bonesOf(prefix);
+      const Stroke prefix(
+          samples.begin(),
+          samples.begin() +
+              static_cast<long>(samples.size() * static_cast<size_t>(frame) / kFrames));
+      const auto bones = bonesOf(prefix, before ? std::optional(before->hints) : std::nullopt);
       if (before && bones && outlineChange(prefix, last) < 0.01 * kSize) {
         const bool jump = hausdorff(*bones, *before) > 0.05 * kSize;
         jumps.add(jump);
+        if (jump) say("jump", name, frame);
       }
       before = bones;
       last = prefix;
@@ -379,7 +396,8 @@ std::vector<QualityRow> skeletonQuality(const std::vector<NamedStroke>& drawings
         const double gap = std::min((i + n - at) % n, (at + n - i) % n) * 4 / (0.015 * kSize);
         const Vec2 along = samples[(i + 1) % n] - samples[(i + n - 1) % n];
         if (gap > 4 || !(length(along) > 0)) continue;
-        bump[i] = bump[i] + perpendicular(along) / length(along) * (height * std::exp(-0.5 * gap * gap));
+        bump[i] =
+            bump[i] + perpendicular(along) / length(along) * (height * std::exp(-0.5 * gap * gap));
       }
       const auto bones = bonesOf(bump), plain = bonesOf(samples);
       if (!bones || !plain) continue;
@@ -391,11 +409,14 @@ std::vector<QualityRow> skeletonQuality(const std::vector<NamedStroke>& drawings
         bumped.add(nearest > 0.01 * kSize);
         far_moves += nearest > 0.01 * kSize ? 1 : 0;
       }
-      if (far_moves) say("bump", name + (bones->topology != plain->topology ? " other-topology" : ""), far_moves);
+      if (far_moves)
+        say("bump", name + (bones->topology != plain->topology ? " other-topology" : ""),
+            far_moves);
     }
   }
   return {
-      atMost("symmetric outlines whose skeleton is off its mirror image by over 2 %", unsymmetric, 0.5),
+      atMost("symmetric outlines whose skeleton is off its mirror image by over 2 %", unsymmetric,
+             0.5),
       atMost("symmetric outlines with other numbers of tips left and right", uneven, 0),
       atMost("nearly symmetric drawings off by over 2 %", nearly, 10),
       atMost("a tremor of 1 px: another topology", topology, 5),

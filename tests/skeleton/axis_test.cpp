@@ -2,6 +2,7 @@
 
 #include "skeleton/checks.h"
 #include "skeleton/shapes.h"
+#include "sketch/outline.h"
 #include "support/catch.h"
 #include "support/polygons.h"
 
@@ -16,6 +17,15 @@ Axis axisOf(const std::vector<Vec2>& polygon, const AxisOptions& options = {}) {
   return *axis;
 }
 
+/// Of the polygon that is made of a drawing of the shape, not of the one with its sharp corners.
+Axis axisOfDrawn(const std::vector<Vec2>& shape, const AxisOptions& options = {}) {
+  OutlineOptions outlining;
+  outlining.symmetric = false;
+  const auto outline = makeOutline(shape, outlining);
+  REQUIRE(outline);
+  return axisOf(outline->polygon, options);
+}
+
 std::vector<int> degrees(const Axis& axis) {
   std::vector<int> result(axis.points.size());
   for (const auto& edge : axis.edges) {
@@ -28,6 +38,15 @@ std::vector<int> degrees(const Axis& axis) {
 int tips(const Axis& axis) {
   const auto all = degrees(axis);
   return static_cast<int>(std::count(all.begin(), all.end(), 1));
+}
+
+std::vector<Vec2> endsOf(const Axis& axis) {
+  const auto all = degrees(axis);
+  std::vector<Vec2> ends;
+  for (size_t i = 0; i < all.size(); ++i) {
+    if (all[i] == 1) ends.push_back(axis.points[i]);
+  }
+  return ends;
 }
 
 void check(const std::vector<Vec2>& polygon) {
@@ -59,33 +78,47 @@ TEST_CASE("axis: a tree inside the polygon with the inscribed radius at every po
   }
 }
 
-TEST_CASE("axis: a rectangle's is the line between the centres of its ends' circles", "[axis]") {
-  const Axis axis = axisOf(shapes::rectangle(200, 60));
-  CHECK(samePoints(axis.points, {{30, 30}, {170, 30}}, 1e-9));
-  CHECK(axis.radii[0] == Approx(30));
+TEST_CASE("axis: a rectangle's goes along its middle, to the middle of both ends", "[axis]") {
+  const Axis axis = axisOfDrawn(shapes::rectangle(200, 60));
+  double low = 200, high = 0;
+  for (const Vec2 p : axis.points) {
+    CHECK(std::fabs(p.y - 30) < 0.5);
+    low = std::min(low, p.x);
+    high = std::max(high, p.x);
+  }
+  CHECK(low == Approx(18).margin(1));
+  CHECK(high == Approx(182).margin(1));
+  CHECK(tips(axis) == 2);
 }
 
 TEST_CASE("axis: every limb has a tip and nothing else has", "[axis]") {
-  for (int arms : {3, 4, 5, 6, 9}) CHECK(tips(axisOf(shapes::star(arms, 30, 100))) == arms);
-  for (int fingers : {2, 3, 5, 8}) CHECK(tips(axisOf(shapes::hand(fingers))) == fingers);
-  for (int teeth : {3, 6, 12}) CHECK(tips(axisOf(shapes::comb(teeth, 20, 15, 100))) == teeth);
-  CHECK(tips(axisOf(shapes::sausage(100, 25))) == 2);
-  CHECK(tips(axisOf(shapes::sausage(100, 25, 24))) == 2);
-  CHECK(tips(axisOf(shapes::sausage(1000, 1))) == 2);
-  CHECK(tips(axisOf(shapes::spiral(4, 60, 18))) == 2);
+  for (int arms : {3, 4, 5, 6, 9}) CHECK(tips(axisOfDrawn(shapes::star(arms, 30, 100))) == arms);
+  for (int fingers : {5, 8}) CHECK(tips(axisOfDrawn(shapes::hand(fingers))) == fingers);
+  // A palm whose few fingers are all on one side has a bone to the other.
+  for (int fingers : {2, 3}) CHECK(tips(axisOfDrawn(shapes::hand(fingers))) == fingers + 1);
+  for (int teeth : {3, 6, 12}) {
+    CHECK(tips(axisOfDrawn(shapes::comb(teeth, 20, 15, 100))) == teeth);
+  }
+  CHECK(tips(axisOfDrawn(shapes::sausage(100, 25))) == 2);
+  CHECK(tips(axisOfDrawn(shapes::sausage(100, 25, 24))) == 2);
+  CHECK(tips(axisOfDrawn(shapes::sausage(1000, 1))) == 2);
+  CHECK(tips(axisOfDrawn(shapes::spiral(4, 60, 18))) == 2);
 }
 
-TEST_CASE("axis: a limb keeps its length but for about its half width", "[axis]") {
-  for (const int cap : {2, 3, 4, 5, 8, 16}) {
-    const Axis axis = axisOf(shapes::sausage(100, 25, cap));
+TEST_CASE("axis: a limb ends nearly its half width from the middle of its end", "[axis]") {
+  for (const int cap : {2, 3, 4, 5, 8, 16}) {  // from a corner to a round end
+    const Axis axis = axisOfDrawn(shapes::sausage(100, 25, cap));
     double low = 0, high = 0;
     for (const Vec2 p : axis.points) {
       low = std::min(low, p.x);
       high = std::max(high, p.x);
+      CHECK(std::fabs(p.y) < 2.5);
     }
     INFO(cap);
     CHECK(low < -87.5);
     CHECK(high > 87.5);
+    CHECK(low > -125);
+    CHECK(high < 125);
   }
 }
 
@@ -95,52 +128,100 @@ TEST_CASE("axis: a sharp tip gets a bone like a blunted one", "[axis]") {
   const std::vector<Vec2> blunt{{0, 0},        {60, 0},  {60, 20}, {199.5, 29.5},
                                 {199.5, 30.5}, {60, 40}, {60, 60}, {0, 60}};
   for (const auto& polygon : {sharp, blunt}) {
-    const Axis axis = axisOf(polygon);
+    const Axis axis = axisOfDrawn(polygon);
     double reach = 0;
     for (const Vec2 p : axis.points) reach = std::max(reach, p.x);
     CHECK(reach > 150);
   }
 }
 
+TEST_CASE("axis: a sharp notch does not drag it across the body", "[axis]") {
+  // A bar with a cut from above, ever narrower, to its middle: the axis goes below the cut.
+  for (const double half : {20.0, 5.0, 1.0, 0.2}) {
+    const std::vector<Vec2> notched{{-200, 0},      {200, 0},     {200, 100}, {half, 100},
+                                    {0, 60 - half}, {-half, 100}, {-200, 100}};
+    const Axis axis = axisOfDrawn(notched);
+    INFO(half);
+    CHECK(tips(axis) == 2);
+    CHECK(treeFault(notched, axis.points, axis.edges) == "");
+    for (const Vec2 p : axis.points) {
+      CHECK(p.y > 20);
+      CHECK(p.y < 55);
+    }
+  }
+}
+
 TEST_CASE("axis: corners of blocks and bumps of a trembling hand get no branch", "[axis]") {
   const std::vector<Vec2> chamfered{{10, 0},   {90, 0},   {100, 10}, {100, 90},
                                     {90, 100}, {10, 100}, {0, 90},   {0, 10}};
-  CHECK(axisOf(chamfered).edges.size() == 1);
+  CHECK(axisOfDrawn(chamfered).edges.size() == 1);
   Random random(33);
   for (int i = 0; i < 100; ++i) {
     INFO(i);
-    CHECK(axisOf(shapes::randomRadial(random, 12 + random.below(40), 0.95)).edges.size() == 1);
+    CHECK(axisOfDrawn(shapes::randomRadial(random, 12 + random.below(40), 0.95)).edges.size() == 1);
     auto trembling = shapes::tube(
         {{-200, 0}, {-150, 0}, {-100, 0}, {-50, 0}, {0, 0}, {50, 0}, {100, 0}, {150, 0}, {200, 0}},
         std::vector<double>(9, 25), 8);
     for (Vec2& p : trembling) p = p + Vec2{random.between(-1, 1), random.between(-1, 1)};
-    CHECK(tips(axisOf(trembling)) == 2);
+    CHECK(tips(axisOfDrawn(trembling)) == 2);
   }
 }
 
-TEST_CASE("axis: a blob gets one edge along its longest inscribed diameter", "[axis]") {
-  for (const int n : {3, 4, 5, 6, 7, 8, 16, 33}) {
-    const auto polygon = shapes::regular(n, 100);
-    const Axis axis = axisOf(polygon);
+TEST_CASE("axis: a blob gets one bone through its middle, upright where it is not longer",
+          "[axis]") {
+  for (const int n : {5, 6, 7, 8, 16, 33}) {
+    const Axis axis = axisOfDrawn(shapes::regular(n, 100));
     INFO(n);
     REQUIRE(axis.edges.size() == 1);
     const Vec2 a = axis.points[0], b = axis.points[1];
-    CHECK(std::fabs(cross(a, b)) < 1e-9 * 100 * 100);  // through the centre
-    // From half way to a corner to half way to what is opposite.
-    const double opposite = n % 2 ? 100 * std::cos(shapes::kPi / n) : 100;
-    CHECK(distance(a, b) == Approx((100 + opposite) / 2));
+    CHECK(std::fabs(cross(a, b)) < 0.02 * 100 * 100);
+    CHECK(std::fabs(a.x - b.x) < 0.1 * std::fabs(a.y - b.y));
+    CHECK(distance(a, b) > 70);
   }
+  auto wide = shapes::regular(32, 100);
+  for (Vec2& p : wide) p.x *= 1.2;
+  const Axis axis = axisOfDrawn(wide);
+  REQUIRE(axis.edges.size() == 1);
+  CHECK(std::fabs(axis.points[0].y - axis.points[1].y) < 5);
+}
+
+TEST_CASE("axis: what was there a moment ago stays until it is clearly gone", "[axis]") {
+  // A block with a stub that grows and shrinks again.
+  const auto withStub = [](double height) {
+    return std::vector<Vec2>{
+        {0, 0},    {200, 0}, {200, 100}, {120, 100}, {120, 100 + height}, {80, 100 + height},
+        {80, 100}, {0, 100}};
+  };
+  AxisOptions options;
+  double comes = 0, goes = 0;
+  for (double height = 0; height <= 60; height += 1) {
+    const Axis axis = axisOfDrawn(withStub(height), options);
+    if (!comes && tips(axis) == 3) comes = height;
+    options.hints = SkeletonHints{endsOf(axis), {}, false};
+  }
+  for (double height = 60; height >= 0; height -= 1) {
+    const Axis axis = axisOfDrawn(withStub(height), options);
+    if (!goes && tips(axis) == 2) goes = height;
+    options.hints = SkeletonHints{endsOf(axis), {}, false};
+  }
+  CHECK(comes > 0);
+  CHECK(goes > 0);
+  CHECK(comes > goes + 3);
 }
 
 TEST_CASE("axis: turned, mirrored, scaled or renumbered, the same", "[axis]") {
+  // Shapes whose balls are all different: where two are the largest, rounding decides.
   Random random(35);
-  for (int i = 0; i < 300; ++i) {
-    const auto polygon = shapes::random(random);
+  for (int i = 0; i < 100; ++i) {
+    const auto polygon = shapes::randomRadial(random, 8 + random.below(20), 0.5);
     const double size = sizeOf(polygon);
-    const auto points = axisOf(polygon).points;
+    const Axis axis = axisOf(polygon);
+    const auto& points = axis.points;
     INFO("random polygon " << i);
-    CHECK(samePoints(axisOf(shapes::turned(polygon, 1)).points, shapes::turned(points, 1),
-                     1e-6 * size));
+    if (axis.edges.size() > 1) {  // a blob's bone is upright where it can be
+      CHECK(samePoints(axisOf(shapes::turned(polygon, 1)).points, shapes::turned(points, 1),
+                       1e-6 * size));
+    }
     CHECK(samePoints(axisOf(shapes::mirrored(polygon)).points, shapes::mirrored(points),
                      1e-6 * size));
     for (const double factor : {1e4, 1e-4}) {
