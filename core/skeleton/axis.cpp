@@ -84,10 +84,10 @@ class Extracting {
       finishEnds();
       for (uint32_t i = 0; i < kept_.size(); ++i) {
         axis.points.push_back(kept_[i].point);
+        axis.radii.push_back(kept_[i].radius);
         if (kept_[i].parent != kNone) axis.edges.push_back({kept_[i].parent, i});
       }
     }
-    for (const Vec2 point : axis.points) axis.radii.push_back(distanceToBorder(polygon_, point));
     return axis;
   }
 
@@ -363,6 +363,7 @@ class Extracting {
     axis.points = {middle - direction * std::max(behind - end, behind * 0.5),
                    middle + direction * std::max(ahead - end, ahead * 0.5)};
     axis.edges = {{0, 1}};
+    for (const Vec2 point : axis.points) axis.radii.push_back(distanceToBorder(polygon_, point));
     return axis;
   }
 

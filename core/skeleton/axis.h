@@ -22,7 +22,8 @@ struct AxisOptions {
 
 struct Axis {
   std::vector<Vec2> points;
-  std::vector<double> radii;                   // one per point: inscribed radius, model units
+  std::vector<double> radii;  // one per point: of a ball inside the polygon, model units;
+                              // nearly the largest
   std::vector<std::array<uint32_t, 2>> edges;  // a tree with at least one edge
 };
 

@@ -1,12 +1,14 @@
 #include "skeleton/limb_joints.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 
 namespace marrow {
 namespace {
 
+constexpr double kMostLevel = std::numeric_limits<double>::max();
 constexpr double kAlways = std::numeric_limits<double>::infinity();
 
 // Limbs longer than so many of their radii have a joint,
@@ -42,6 +44,7 @@ class LimbJoints {
     }
     if (first > 0) raise(first, kMouthLevel);
     if (last < last_) raise(last, kMouthLevel);
+    mouths_ = {first, last};
     addMiddle(first, last, first == 0 && start.junction ? start.radius : 0,
               last == last_ && end.junction ? end.radius : 0);
     thinOut(start, end);
@@ -117,7 +120,7 @@ class LimbJoints {
       if (levels_[i] > usual_) order.push_back(i);
     }
     std::stable_sort(order.begin(), order.end(),
-                     [&](size_t a, size_t b) { return levels_[a] > levels_[b]; });
+                     [&](size_t a, size_t b) { return rank(a) > rank(b); });
     std::vector<size_t> kept;
     const double length = along(last_);
     for (const size_t i : order) {
@@ -141,10 +144,17 @@ class LimbJoints {
     return away < kInBall * end.radius && level < kMouthLevel * usual_;
   }
 
+  /// Mouths before all that is not needed to stay inside.
+  double rank(size_t i) const {
+    const bool is_mouth = i == mouths_[0] || i == mouths_[1];
+    return is_mouth ? std::max(levels_[i], kMostLevel) : levels_[i];
+  }
+
   const std::vector<BranchSample>& samples_;
   double usual_;
   std::vector<double>& levels_;
   size_t last_;
+  std::array<size_t, 2> mouths_{};
   double body_ = 0;
 };
 
