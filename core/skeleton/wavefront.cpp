@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "base/box.h"
+#include "skeleton/slab_hierarchy.h"
 #include "skeleton/straight_skeleton.h"
 
 namespace marrow {
@@ -34,8 +35,10 @@ constexpr double kStandsStill = 1e-13;  // closing speed below which two things 
 constexpr double kFast = 8;             // speed from which a vertex's place is not well conditioned
 constexpr double kVeryFast = 1e4;       // speed from which times alone do not tell what is first
 constexpr double kLongest = 1;          // nothing is left of the polygon by then
-constexpr double kBlockMargin = 1e-9;   // above all tolerances of places
+constexpr double kMargin = 1e-9;        // above the tolerances of places, but for fast vertices
+constexpr double kOverlap = 1e-9;       // of two periods
 constexpr double kMergeNodes = 1e-9;    // arcs shorter than this join one node to another
+constexpr uint32_t kFew = 40;           // edges: up to so many are all looked at
 
 // A border edge: its moving line is {x : dot(normal, x) = offset + t}.
 struct Line {
@@ -44,6 +47,7 @@ struct Line {
 
   /// Position along the edge.
   double along(Vec2 p) const { return normal.y * p.x - normal.x * p.y; }
+  Vec2 direction() const { return {normal.y, -normal.x}; }
 };
 
 // A wavefront vertex between the line that comes in and the one that goes out. It lives from its
@@ -59,7 +63,10 @@ struct Vertex {
   uint32_t node;          // where its arc begins
   uint32_t split_target;  // the edge that it is expected to run into, if it is reflex; may be gone
   double split_time;      // when; of its next split event
+  double edge_time;       // when its wavefront edge will have shrunk to nothing
   uint32_t loop;          // the same for all of one loop
+  uint32_t way;           // among the ways that are looked up
+  uint32_t sibling;       // another whose wavefront edge is part of the same border edge
   bool alive, reflex, stuck;
 
   Vec2 at(double t) const { return place + velocity * (t - time); }
@@ -80,12 +87,17 @@ struct Event {
   }
 };
 
-// A few neighbouring edges of the polygon.
-struct Block {
-  Vec2 low, high;         // around the places of its vertices
-  Vec2 slowest, fastest;  // around their velocities, and standing still
+// The lines of a run of edges side by side; where there are fewer, they are out of reach.
+struct LineRun {
+  double x[SlabHierarchy::kRun], y[SlabHierarchy::kRun], offset[SlabHierarchy::kRun];
+
+  LineRun() {
+    for (size_t k = 0; k < SlabHierarchy::kRun; ++k) {
+      x[k] = y[k] = 0;
+      offset[k] = 1e9;
+    }
+  }
 };
-constexpr uint32_t kBlock = 8;  // edges
 
 class Wavefront {
  public:
@@ -107,10 +119,12 @@ class Wavefront {
   void expectEdgeEvent(uint32_t v);
   void expectFirstSplit(uint32_t v);
   void expectSplitEvent(uint32_t v, uint32_t edge, double wait);
-  void expectAllSplits(const std::vector<Vec2>& points);
+  void startPeriod();
+  double timeLeft() const { return std::min(period_end_ + kOverlap, now_ + kLongest) - now_; }
+  Sweep sweptBy(uint32_t edge) const;
   bool reaches(const Vertex& v, Vec2 place, uint32_t edge, double& wait) const;
-  uint32_t nextEdgeReached(uint32_t v, double& wait) const;
-  void lookForNewSplits(uint32_t edge);
+  uint32_t nextEdgeReached(uint32_t v, double& wait);
+  void lookForNewSplits(uint32_t v, bool ends, double old_speed);
   double edgeEventTime(const Vertex& v, const Vertex& w) const;
   Vec2 meetingPlace(const Vertex& v, const Vertex& w) const;
 
@@ -141,10 +155,21 @@ class Wavefront {
   std::vector<Line> lines_;
   std::vector<Vertex> vertices_;
   std::vector<Event> events_;
-  double now_ = 0;
+  double now_ = 0, period_end_ = kNever;
+  bool indexed_ = false;
   uint32_t reflex_count_ = 0;  // living ones
   uint32_t loop_count_ = 1;
   bool lost_ = false;
+
+  // What may run into what until the period ends; for each line that still has wavefront edges.
+  SlabHierarchy edges_;                  // where they will pass
+  SlabHierarchy ways_;                   // of the reflex vertices that they start from
+  std::vector<uint32_t> lines_left_;     // in their order
+  std::vector<uint32_t> rank_;           // of a line among them
+  std::vector<uint32_t> first_of_line_;  // one of its vertices, the others are its siblings
+  std::vector<uint32_t> walkers_, newcomers_;
+  std::vector<LineRun> line_runs_;
+  std::vector<double> scratch_;
 
   std::vector<Vec2> places_;  // of the inner nodes; node n_ is the first
   std::vector<double> times_;
@@ -176,6 +201,10 @@ Wavefront::Wavefront(const std::vector<Vec2>& polygon) : n_(polygon.size()), pol
   for (uint32_t i = 0; i < n; ++i) points[i] = (polygon[i] - center_) / unit_;
 
   lines_.resize(n);
+  lines_left_.resize(n);
+  for (uint32_t i = 0; i < n; ++i) lines_left_[i] = i;
+  first_of_line_.assign(n, kNone);
+  rank_.assign(n, kNone);
   vertices_.reserve(3 * n);
   events_.reserve(4 * n);
   places_.reserve(n);
@@ -200,7 +229,7 @@ Wavefront::Wavefront(const std::vector<Vec2>& polygon) : n_(polygon.size()), pol
   link(n - 1, 0);
   if (lost_) return;
   for (uint32_t i = 0; i < n; ++i) expectEdgeEvent(i);
-  expectAllSplits(points);
+  startPeriod();
 }
 
 uint32_t Wavefront::addNode(Vec2 place, double time) {
@@ -217,10 +246,12 @@ uint32_t Wavefront::addVertex(uint32_t in, uint32_t out, Vec2 place, uint32_t no
   v.in = in;
   v.out = out;
   v.node = node;
-  v.previous = v.next = kNone;
+  v.previous = v.next = v.way = kNone;
   v.split_target = kNone;
-  v.split_time = kNever;
+  v.split_time = v.edge_time = kNever;
   v.loop = loop;
+  v.sibling = first_of_line_[out];
+  first_of_line_[out] = static_cast<uint32_t>(vertices_.size() - 1);
   v.alive = true;
   const Vec2 a = lines_[in].normal, b = lines_[out].normal;
   v.stuck = !velocityBetween(a, b, v.velocity);
@@ -293,6 +324,7 @@ Vec2 Wavefront::meetingPlace(const Vertex& v, const Vertex& w) const {
 void Wavefront::expectEdgeEvent(uint32_t v) {
   const uint32_t w = vertices_[v].next;
   const double time = edgeEventTime(vertices_[v], vertices_[w]);
+  vertices_[v].edge_time = time;
   if (time < kNever) push(time, v, w);
 }
 
@@ -318,85 +350,213 @@ bool Wavefront::reaches(const Vertex& v, Vec2 place, uint32_t edge, double& wait
   return true;
 }
 
+double marginOf(const Vertex& v) { return kMargin + v.tolerance(); }
+
+// Where the wavefront edge passes until it is gone or the period ends.
+Sweep Wavefront::sweptBy(uint32_t edge) const {
+  const Vertex &start = vertices_[edge], &end = vertices_[start.next];
+  const double gone = std::max(start.edge_time, now_) + kOverlap;
+  const double until = std::min(now_ + timeLeft(), gone);
+  return {{start.at(now_), start.at(until), marginOf(start)},
+          {end.at(now_), end.at(until), marginOf(end)},
+          until};
+}
+
+// Looks for all split events until the end of a period in which about half of the edges will
+// vanish. In a short time nothing goes far, so that little can run into little; what has vanished
+// by the end need never be looked at again.
+void Wavefront::startPeriod() {
+  now_ = period_end_ < kNever ? std::max(now_, period_end_) : now_;
+  period_end_ = kNever;
+  indexed_ = false;
+  if (reflex_count_ == 0) return;
+
+  // All splits are looked for anew, and what is out of date among the edge events may go.
+  scratch_.clear();
+  size_t kept = 0;
+  for (const Event& event : events_) {
+    if (event.other == kSplit || !vertices_[event.vertex].alive ||
+        vertices_[event.vertex].next != event.other) {
+      continue;
+    }
+    scratch_.push_back(event.time);
+    events_[kept++] = event;
+  }
+  events_.resize(kept);
+  std::make_heap(events_.begin(), events_.end());
+
+  size_t count = 0;
+  for (const uint32_t line : lines_left_) {
+    uint32_t* link = &first_of_line_[line];
+    while (*link != kNone) {
+      Vertex& vertex = vertices_[*link];
+      if (vertex.alive) {
+        link = &vertex.sibling;
+      } else {
+        *link = vertex.sibling;
+      }
+    }
+    if (first_of_line_[line] == kNone) continue;
+    rank_[line] = static_cast<uint32_t>(count);
+    lines_left_[count++] = line;
+  }
+  lines_left_.resize(count);
+
+  if (count > kFew) {
+    indexed_ = true;
+    if (scratch_.size() > count / 8) {
+      const auto middle =
+          scratch_.begin() + static_cast<long>(scratch_.size() / (count > 400 ? 4 : 2));
+      std::nth_element(scratch_.begin(), middle, scratch_.end());
+      period_end_ = *middle * (1 + 1e-6) + kOverlap;
+    }
+    edges_.reset(count);
+    walkers_.clear();
+    newcomers_.clear();
+    for (size_t i = 0; i < count; ++i) {
+      for (uint32_t v = first_of_line_[lines_left_[i]]; v != kNone; v = vertices_[v].sibling) {
+        const Vertex& vertex = vertices_[v];
+        edges_.orient(i, vertices_[vertex.next].at(now_) - vertex.at(now_));
+        if (vertex.reflex) walkers_.push_back(v);
+      }
+    }
+    line_runs_.assign((count + SlabHierarchy::kRun - 1) / SlabHierarchy::kRun, LineRun{});
+    for (size_t i = 0; i < count; ++i) {
+      const Line& line = lines_[lines_left_[i]];
+      LineRun& run = line_runs_[i / SlabHierarchy::kRun];
+      const size_t k = i % SlabHierarchy::kRun;
+      run.x[k] = line.normal.x;
+      run.y[k] = line.normal.y;
+      run.offset[k] = line.offset;
+    }
+    ways_.reset(walkers_.size());
+    for (size_t i = 0; i < walkers_.size(); ++i) {
+      vertices_[walkers_[i]].way = static_cast<uint32_t>(i);
+      ways_.orient(i, vertices_[walkers_[i]].velocity);
+    }
+    for (size_t i = 0; i < count; ++i) {
+      for (uint32_t v = first_of_line_[lines_left_[i]]; v != kNone; v = vertices_[v].sibling) {
+        const Vertex& vertex = vertices_[v];
+        edges_.include(i, sweptBy(v), marginOf(vertex) + marginOf(vertices_[vertex.next]));
+      }
+    }
+  }
+  for (const uint32_t line : lines_left_) {
+    for (uint32_t v = first_of_line_[line]; v != kNone; v = vertices_[v].sibling) {
+      vertices_[v].split_time = kNever;
+      expectFirstSplit(v);
+    }
+  }
+}
+
 // The first edge that v runs into, of all of its loop but its own two.
-uint32_t Wavefront::nextEdgeReached(uint32_t v, double& wait) const {
+uint32_t Wavefront::nextEdgeReached(uint32_t v, double& wait) {
   const Vertex& vertex = vertices_[v];
   const Vec2 place = vertex.at(now_);
   uint32_t target = kNone;
-  wait = kNever;
-  for (uint32_t edge = vertex.next; edge != vertex.previous; edge = vertices_[edge].next) {
-    if (reaches(vertex, place, edge, wait)) target = edge;
+  vertices_[v].split_time = kNever;
+  if (!indexed_) {
+    wait = kNever;
+    for (uint32_t edge = vertex.next; edge != vertex.previous; edge = vertices_[edge].next) {
+      if (reaches(vertex, place, edge, wait)) target = edge;
+    }
+    return target;
   }
+  wait = timeLeft();
+  // Not beyond its end, as far as that is known now.
+  const double end =
+      std::min(vertices_[vertex.previous].edge_time, vertex.edge_time) - now_ + kOverlap;
+  const bool ends = end > 0 && end < wait;
+  if (ends) wait = end;
+  const double horizon = now_ + wait;
+  for (int side = 0; side < 2; ++side) {
+    uint32_t e = v;
+    for (int i = 0; i < 4; ++i) {
+      e = side ? vertices_[e].previous : vertices_[e].next;
+      if (e == vertex.previous || e == v) {
+        if (side)
+          continue;
+        else
+          break;
+      }
+      if (reaches(vertex, place, e, wait)) target = e;
+    }
+  }
+  const double margin = marginOf(vertex);
+  Way way{place, place + vertex.velocity * wait, margin};
+  edges_.visit(way, [&](size_t first) {
+    // Whether the vertex gets as far as the lines, as in reaches().
+    const LineRun& run = line_runs_[first / SlabHierarchy::kRun];
+    double apart[SlabHierarchy::kRun];
+    for (size_t k = 0; k < SlabHierarchy::kRun; ++k) {
+      const double gap = run.x[k] * place.x + run.y[k] * place.y - run.offset[k] - now_;
+      const double closing = 1 - (run.x[k] * vertex.velocity.x + run.y[k] * vertex.velocity.y);
+      apart[k] = std::max(-kSamePlace - gap, gap - wait * closing);
+    }
+    for (size_t k = 0; k < SlabHierarchy::kRun; ++k) {
+      if (apart[k] > 0) continue;
+      for (uint32_t e = first_of_line_[lines_left_[first + k]]; e != kNone;
+           e = vertices_[e].sibling) {
+        const Vertex& start = vertices_[e];
+        if (!start.alive || start.loop != vertex.loop || e == v || e == vertex.previous) continue;
+        if (!reaches(vertex, place, e, wait)) continue;
+        target = e;
+        way = {place, place + vertex.velocity * wait, margin};
+      }
+    }
+  });
+  if (vertex.way != kNone) {
+    ways_.include(vertex.way, way, margin);
+  } else {
+    newcomers_.push_back(v);
+  }
+  if (target == kNone && ends) expectSplitEvent(v, kNone, horizon - now_);
   return target;
 }
 
-// expectFirstSplit() for all reflex vertices of the polygon, which is most of what there is to look
-// for. Edges are looked at in blocks; a block whose edges cannot touch the vertex's way before the
-// soonest meeting known so far is passed over.
-void Wavefront::expectAllSplits(const std::vector<Vec2>& points) {
-  if (reflex_count_ == 0) return;
-  const auto n = static_cast<uint32_t>(n_);
-  std::vector<Block> blocks((n + kBlock - 1) / kBlock);
-  for (uint32_t b = 0; b < blocks.size(); ++b) {
-    const uint32_t first = b * kBlock, last = std::min(first + kBlock, n);
-    Block block{points[first], points[first], {}, {}};
-    for (uint32_t k = first; k <= last; ++k) {
-      const uint32_t i = k == n ? 0 : k;
-      block.low = {std::min(block.low.x, points[i].x), std::min(block.low.y, points[i].y)};
-      block.high = {std::max(block.high.x, points[i].x), std::max(block.high.y, points[i].y)};
-      const Vec2 velocity = vertices_[i].velocity;
-      block.slowest = {std::min(block.slowest.x, velocity.x),
-                       std::min(block.slowest.y, velocity.y)};
-      block.fastest = {std::max(block.fastest.x, velocity.x),
-                       std::max(block.fastest.y, velocity.y)};
-    }
-    blocks[b] = block;
-  }
-
-  uint32_t last_target = kNone;
-  for (uint32_t v = 0; v < n; ++v) {
-    const Vertex& vertex = vertices_[v];
-    if (!vertex.reflex) continue;
-    const uint32_t previous = vertex.previous;
-    const Vec2 place = vertex.place;
-    double wait = kLongest;
-    uint32_t target = kNone;
-    const auto look = [&](uint32_t edge) {
-      if (edge != v && edge != previous && reaches(vertex, place, edge, wait)) target = edge;
-    };
-    // Neighbours often run into the same edge: a first guess.
-    if (last_target != kNone) {
-      look(last_target);
-      look(vertices_[last_target].previous);
-    }
-    for (uint32_t b = 0; b < blocks.size(); ++b) {
-      const Block& block = blocks[b];
-      const Vec2 there = place + vertex.velocity * wait;
-      const Vec2 low = block.low + block.slowest * wait, high = block.high + block.fastest * wait;
-      if (std::min(place.x, there.x) > high.x + kBlockMargin ||
-          std::max(place.x, there.x) < low.x - kBlockMargin ||
-          std::min(place.y, there.y) > high.y + kBlockMargin ||
-          std::max(place.y, there.y) < low.y - kBlockMargin) {
-        continue;
-      }
-      const uint32_t end = std::min((b + 1) * kBlock, n);
-      for (uint32_t edge = b * kBlock; edge < end; ++edge) look(edge);
-    }
-    if (target == kNone) continue;
-    last_target = target;
-    expectSplitEvent(v, target, wait);
-  }
-}
-
-// Reflex vertices that did not expect this edge may run into it after all.
-void Wavefront::lookForNewSplits(uint32_t edge) {
-  if (reflex_count_ == 0) return;
-  const uint32_t end = vertices_[edge].next;
-  for (uint32_t v = vertices_[end].next; v != edge; v = vertices_[v].next) {
-    const Vertex& vertex = vertices_[v];
-    if (!vertex.reflex) continue;
+// The new vertex v ends an edge, or starts it. Where it retreats more slowly than what was there
+// before, reflex vertices may run into what is left of the edge then.
+void Wavefront::lookForNewSplits(uint32_t v, bool ends, double old_speed) {
+  const Vertex& fresh = vertices_[v];
+  const double speed = ends ? endSpeed(fresh) : startSpeed(fresh);
+  if (reflex_count_ == 0 || (ends ? speed <= old_speed : speed >= old_speed)) return;
+  const uint32_t edge = ends ? fresh.previous : v, end = ends ? v : fresh.next;
+  const auto look = [&](uint32_t u) {
+    const Vertex& vertex = vertices_[u];
     double wait = vertex.split_time - now_;
-    if (reaches(vertex, vertex.at(now_), edge, wait)) expectSplitEvent(v, edge, wait);
+    if (indexed_) wait = std::min(wait, timeLeft());
+    if (reaches(vertex, vertex.at(now_), edge, wait)) expectSplitEvent(u, edge, wait);
+  };
+  if (!indexed_) {
+    for (uint32_t u = vertices_[end].next; u != edge; u = vertices_[u].next) {
+      if (vertices_[u].reflex) look(u);
+    }
+    return;
+  }
+  Sweep swept = sweptBy(edge);
+  if (old_speed > -kNever && old_speed < kNever) {
+    // Only what lies between where the end goes and where it would have gone.
+    const Line& line = lines_[vertices_[edge].out];
+    const Vec2 old_velocity = line.normal + line.direction() * old_speed;
+    const Way& way = ends ? swept.end : swept.start;
+    const double time = swept.until - now_;
+    swept = {way, {way.a, way.a + old_velocity * time, marginOf(fresh)}, swept.until};
+  }
+  edges_.include(rank_[vertices_[edge].out], swept,
+                 marginOf(vertices_[edge]) + marginOf(vertices_[end]));
+  ways_.visit(swept, [&](size_t first) {
+    const size_t last = std::min(first + SlabHierarchy::kRun, walkers_.size());
+    for (size_t i = first; i < last; ++i) {
+      const uint32_t u = walkers_[i];
+      const Vertex& vertex = vertices_[u];
+      if (!vertex.alive || u == edge || u == end || vertex.loop != fresh.loop) continue;
+      look(u);
+    }
+  });
+  for (const uint32_t u : newcomers_) {
+    const Vertex& vertex = vertices_[u];
+    if (!vertex.alive || u == edge || u == end || vertex.loop != fresh.loop) continue;
+    look(u);
   }
 }
 
@@ -502,8 +662,8 @@ void Wavefront::arrive(uint32_t v, double end_speed, double start_speed) {
   expectEdgeEvent(vertices_[v].previous);
   expectEdgeEvent(v);
   expectFirstSplit(v);
-  if (endSpeed(vertices_[v]) > end_speed) lookForNewSplits(vertices_[v].previous);
-  if (startSpeed(vertices_[v]) < start_speed) lookForNewSplits(v);
+  lookForNewSplits(v, true, end_speed);
+  lookForNewSplits(v, false, start_speed);
 }
 
 void Wavefront::expectFirstSplit(uint32_t v) {
@@ -540,14 +700,14 @@ void Wavefront::handleSplit(uint32_t v) {
   const Vertex& vertex = vertices_[v];
   const uint32_t target = vertex.split_target;
   double wait = kSamePlace;
-  if (vertices_[target].alive && vertices_[target].loop == vertex.loop && target != v &&
-      target != vertex.previous && reaches(vertex, vertex.at(now_), target, wait)) {
+  if (target != kNone && vertices_[target].alive && vertices_[target].loop == vertex.loop &&
+      target != v && target != vertex.previous && reaches(vertex, vertex.at(now_), target, wait)) {
     split(v, target, vertex.at(now_));
     return;
   }
   const uint32_t edge = nextEdgeReached(v, wait);
   if (edge == kNone) {
-    vertices_[v].split_time = kNever;
+    // Nothing comes, or it is looked for again.
   } else if (wait < kSamePlace) {
     split(v, edge, vertices_[v].at(now_));
   } else {
@@ -639,6 +799,8 @@ bool Wavefront::run() {
   const size_t limit = 1000 + 40 * n_;  // never seen above 6 n
   for (size_t count = 0; !events_.empty(); ++count) {
     if (count > limit) return false;
+    while (!events_.empty() && events_.front().time > period_end_) startPeriod();
+    if (events_.empty()) break;
     std::pop_heap(events_.begin(), events_.end());
     const Event event = events_.back();
     events_.pop_back();
