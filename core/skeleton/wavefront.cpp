@@ -38,7 +38,8 @@ constexpr double kLongest = 1;          // nothing is left of the polygon by the
 constexpr double kMargin = 1e-9;        // above the tolerances of places, but for fast vertices
 constexpr double kOverlap = 1e-9;       // of two periods
 constexpr double kMergeNodes = 1e-9;    // arcs shorter than this join one node to another
-constexpr uint32_t kFew = 40;           // edges: up to so many are all looked at
+constexpr size_t kRun = SlabHierarchy::kRun;
+constexpr uint32_t kFew = 64;  // edges: up to so many are all looked at
 
 // A border edge: its moving line is {x : dot(normal, x) = offset + t}.
 struct Line {
@@ -68,6 +69,7 @@ struct Vertex {
   uint32_t way;           // among the ways that are looked up
   uint32_t sibling;       // another whose wavefront edge is part of the same border edge
   bool alive, reflex, stuck;
+  bool expected;  // whether the event at edge_time is among the events
 
   Vec2 at(double t) const { return place + velocity * (t - time); }
   // How far `at` may be off: a fast vertex magnifies the rounding of the time.
@@ -89,10 +91,10 @@ struct Event {
 
 // The lines of a run of edges side by side; where there are fewer, they are out of reach.
 struct LineRun {
-  double x[SlabHierarchy::kRun], y[SlabHierarchy::kRun], offset[SlabHierarchy::kRun];
+  double x[kRun], y[kRun], offset[kRun];
 
   LineRun() {
-    for (size_t k = 0; k < SlabHierarchy::kRun; ++k) {
+    for (size_t k = 0; k < kRun; ++k) {
       x[k] = y[k] = 0;
       offset[k] = 1e9;
     }
@@ -116,6 +118,7 @@ class Wavefront {
   bool isAt(uint32_t v, Vec2 place) const;
 
   void push(double time, uint32_t vertex, uint32_t other);
+  void timeEdgeEvent(uint32_t v);
   void expectEdgeEvent(uint32_t v);
   void expectFirstSplit(uint32_t v);
   void expectSplitEvent(uint32_t v, uint32_t edge, double wait);
@@ -228,6 +231,7 @@ Wavefront::Wavefront(const std::vector<Vec2>& polygon) : n_(polygon.size()), pol
   }
   link(n - 1, 0);
   if (lost_) return;
+  for (uint32_t i = 0; i < n; ++i) timeEdgeEvent(i);
   for (uint32_t i = 0; i < n; ++i) expectEdgeEvent(i);
   startPeriod();
 }
@@ -253,6 +257,7 @@ uint32_t Wavefront::addVertex(uint32_t in, uint32_t out, Vec2 place, uint32_t no
   v.sibling = first_of_line_[out];
   first_of_line_[out] = static_cast<uint32_t>(vertices_.size() - 1);
   v.alive = true;
+  v.expected = false;
   const Vec2 a = lines_[in].normal, b = lines_[out].normal;
   v.stuck = !velocityBetween(a, b, v.velocity);
   if (v.stuck) v.velocity = {0, 0};
@@ -321,11 +326,22 @@ Vec2 Wavefront::meetingPlace(const Vertex& v, const Vertex& w) const {
   return v.speed < w.speed ? v.at(now_) : w.at(now_);
 }
 
+void Wavefront::timeEdgeEvent(uint32_t v) {
+  Vertex& vertex = vertices_[v];
+  vertex.edge_time = edgeEventTime(vertex, vertices_[vertex.next]);
+  vertex.expected = false;
+}
+
+// An edge whose neighbour vanishes before it is another edge by then.
 void Wavefront::expectEdgeEvent(uint32_t v) {
-  const uint32_t w = vertices_[v].next;
-  const double time = edgeEventTime(vertices_[v], vertices_[w]);
-  vertices_[v].edge_time = time;
-  if (time < kNever) push(time, v, w);
+  Vertex& vertex = vertices_[v];
+  if (vertex.expected || !(vertex.edge_time < kNever) ||
+      vertex.edge_time > vertices_[vertex.previous].edge_time ||
+      vertex.edge_time > vertices_[vertex.next].edge_time) {
+    return;
+  }
+  vertex.expected = true;
+  push(vertex.edge_time, v, vertex.next);
 }
 
 void Wavefront::expectSplitEvent(uint32_t v, uint32_t edge, double wait) {
@@ -379,7 +395,6 @@ void Wavefront::startPeriod() {
         vertices_[event.vertex].next != event.other) {
       continue;
     }
-    scratch_.push_back(event.time);
     events_[kept++] = event;
   }
   events_.resize(kept);
@@ -391,6 +406,7 @@ void Wavefront::startPeriod() {
     while (*link != kNone) {
       Vertex& vertex = vertices_[*link];
       if (vertex.alive) {
+        if (vertex.edge_time < kNever) scratch_.push_back(vertex.edge_time);
         link = &vertex.sibling;
       } else {
         *link = vertex.sibling;
@@ -420,11 +436,11 @@ void Wavefront::startPeriod() {
         if (vertex.reflex) walkers_.push_back(v);
       }
     }
-    line_runs_.assign((count + SlabHierarchy::kRun - 1) / SlabHierarchy::kRun, LineRun{});
+    line_runs_.assign((count + kRun - 1) / kRun, LineRun{});
     for (size_t i = 0; i < count; ++i) {
       const Line& line = lines_[lines_left_[i]];
-      LineRun& run = line_runs_[i / SlabHierarchy::kRun];
-      const size_t k = i % SlabHierarchy::kRun;
+      LineRun& run = line_runs_[i / kRun];
+      const size_t k = i % kRun;
       run.x[k] = line.normal.x;
       run.y[k] = line.normal.y;
       run.offset[k] = line.offset;
@@ -469,31 +485,18 @@ uint32_t Wavefront::nextEdgeReached(uint32_t v, double& wait) {
   const bool ends = end > 0 && end < wait;
   if (ends) wait = end;
   const double horizon = now_ + wait;
-  for (int side = 0; side < 2; ++side) {
-    uint32_t e = v;
-    for (int i = 0; i < 4; ++i) {
-      e = side ? vertices_[e].previous : vertices_[e].next;
-      if (e == vertex.previous || e == v) {
-        if (side)
-          continue;
-        else
-          break;
-      }
-      if (reaches(vertex, place, e, wait)) target = e;
-    }
-  }
   const double margin = marginOf(vertex);
   Way way{place, place + vertex.velocity * wait, margin};
-  edges_.visit(way, [&](size_t first) {
+  const auto lookAtRun = [&](size_t first) {
     // Whether the vertex gets as far as the lines, as in reaches().
-    const LineRun& run = line_runs_[first / SlabHierarchy::kRun];
-    double apart[SlabHierarchy::kRun];
-    for (size_t k = 0; k < SlabHierarchy::kRun; ++k) {
+    const LineRun& run = line_runs_[first / kRun];
+    double apart[kRun];
+    for (size_t k = 0; k < kRun; ++k) {
       const double gap = run.x[k] * place.x + run.y[k] * place.y - run.offset[k] - now_;
       const double closing = 1 - (run.x[k] * vertex.velocity.x + run.y[k] * vertex.velocity.y);
       apart[k] = std::max(-kSamePlace - gap, gap - wait * closing);
     }
-    for (size_t k = 0; k < SlabHierarchy::kRun; ++k) {
+    for (size_t k = 0; k < kRun; ++k) {
       if (apart[k] > 0) continue;
       for (uint32_t e = first_of_line_[lines_left_[first + k]]; e != kNone;
            e = vertices_[e].sibling) {
@@ -504,7 +507,8 @@ uint32_t Wavefront::nextEdgeReached(uint32_t v, double& wait) {
         way = {place, place + vertex.velocity * wait, margin};
       }
     }
-  });
+  };
+  edges_.visit(way, lookAtRun);
   if (vertex.way != kNone) {
     ways_.include(vertex.way, way, margin);
   } else {
@@ -545,7 +549,7 @@ void Wavefront::lookForNewSplits(uint32_t v, bool ends, double old_speed) {
   edges_.include(rank_[vertices_[edge].out], swept,
                  marginOf(vertices_[edge]) + marginOf(vertices_[end]));
   ways_.visit(swept, [&](size_t first) {
-    const size_t last = std::min(first + SlabHierarchy::kRun, walkers_.size());
+    const size_t last = std::min(first + kRun, walkers_.size());
     for (size_t i = first; i < last; ++i) {
       const uint32_t u = walkers_[i];
       const Vertex& vertex = vertices_[u];
@@ -659,8 +663,13 @@ double Wavefront::startSpeed(const Vertex& v) const {
 // A new vertex on its way. The speeds are those of the ends that its two edges had before: where a
 // new end retreats more slowly, more of the edge will be there than was foreseen.
 void Wavefront::arrive(uint32_t v, double end_speed, double start_speed) {
-  expectEdgeEvent(vertices_[v].previous);
+  const uint32_t before = vertices_[v].previous, after = vertices_[v].next;
+  timeEdgeEvent(before);
+  timeEdgeEvent(v);
+  expectEdgeEvent(vertices_[before].previous);
+  expectEdgeEvent(before);
   expectEdgeEvent(v);
+  expectEdgeEvent(after);
   expectFirstSplit(v);
   lookForNewSplits(v, true, end_speed);
   lookForNewSplits(v, false, start_speed);
