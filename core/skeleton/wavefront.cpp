@@ -45,6 +45,8 @@ constexpr uint32_t kFew = 64;  // edges: up to so many are all looked at
 struct Line {
   Vec2 normal;
   double offset;
+  uint32_t first_vertex = 0xffffffff;  // of those whose wavefront edges are part of it: siblings
+  uint32_t rank = 0;                   // among the lines that have any
 
   /// Position along the edge.
   double along(Vec2 p) const { return normal.y * p.x - normal.x * p.y; }
@@ -108,6 +110,7 @@ class Wavefront {
   StraightSkeleton result();
 
  private:
+  void mergeNodes();
   uint32_t addNode(Vec2 place, double time);
   uint32_t addVertex(uint32_t in, uint32_t out, Vec2 place, uint32_t node, uint32_t loop);
   void link(uint32_t v, uint32_t w) {
@@ -151,7 +154,6 @@ class Wavefront {
   double startSpeed(const Vertex& v) const;
 
   size_t n_;
-  const std::vector<Vec2>& polygon_;
   Vec2 center_;
   double unit_ = 1;
 
@@ -168,15 +170,11 @@ class Wavefront {
   SlabHierarchy edges_;                  // where they will pass
   SlabHierarchy ways_;                   // of the reflex vertices that they start from
   std::vector<uint32_t> lines_left_;     // in their order
-  std::vector<uint32_t> rank_;           // of a line among them
-  std::vector<uint32_t> first_of_line_;  // one of its vertices, the others are its siblings
   std::vector<uint32_t> walkers_, newcomers_;
   std::vector<LineRun> line_runs_;
   std::vector<double> scratch_;
 
-  std::vector<Vec2> places_;  // of the inner nodes; node n_ is the first
-  std::vector<double> times_;
-  std::vector<StraightSkeleton::Edge> arcs_;
+  StraightSkeleton skeleton_;  // as it grows; inner nodes and times in our coordinates
 };
 
 // The velocity that keeps a point on both moving lines; nothing when they face each other.
@@ -191,7 +189,7 @@ bool velocityBetween(Vec2 in, Vec2 out, Vec2& velocity) {
   return true;
 }
 
-Wavefront::Wavefront(const std::vector<Vec2>& polygon) : n_(polygon.size()), polygon_(polygon) {
+Wavefront::Wavefront(const std::vector<Vec2>& polygon) : n_(polygon.size()) {
   const Box2 box = boxOf(polygon);
   center_ = box.middle();
   // A power of two, so that going there and back loses nothing.
@@ -200,21 +198,20 @@ Wavefront::Wavefront(const std::vector<Vec2>& polygon) : n_(polygon.size()), pol
   unit_ = std::ldexp(1.0, exponent);
 
   const auto n = static_cast<uint32_t>(n_);
-  std::vector<Vec2> points(n);
-  for (uint32_t i = 0; i < n; ++i) points[i] = (polygon[i] - center_) / unit_;
-
+  const auto pointOf = [&](uint32_t i) { return (polygon[i] - center_) / unit_; };
   lines_.resize(n);
-  lines_left_.resize(n);
-  for (uint32_t i = 0; i < n; ++i) lines_left_[i] = i;
-  first_of_line_.assign(n, kNone);
-  rank_.assign(n, kNone);
   vertices_.reserve(3 * n);
   events_.reserve(4 * n);
-  places_.reserve(n);
-  times_.reserve(n);
-  arcs_.reserve(2 * n);
+  skeleton_.nodes.reserve(2 * n);
+  skeleton_.nodes = polygon;
+  skeleton_.times.reserve(2 * n);
+  skeleton_.times.assign(n, 0.0);
+  skeleton_.edges.reserve(3 * n);
+  skeleton_.edges.resize(n);
   for (uint32_t i = 0; i < n; ++i) {
-    const Vec2 p = points[i], q = points[i + 1 == n ? 0 : i + 1];
+    const uint32_t next = i + 1 == n ? 0 : i + 1;
+    skeleton_.edges[i] = {i, next, StraightSkeleton::Kind::border, i, i};
+    const Vec2 p = pointOf(i), q = pointOf(next);
     const double size = length(q - p);
     if (!(size > 0)) {
       lost_ = true;
@@ -225,7 +222,7 @@ Wavefront::Wavefront(const std::vector<Vec2>& polygon) : n_(polygon.size()), pol
     line.offset = dot(line.normal, p);
   }
   for (uint32_t i = 0; i < n; ++i) {
-    const uint32_t v = addVertex(i == 0 ? n - 1 : i - 1, i, points[i], i, 0);
+    const uint32_t v = addVertex(i == 0 ? n - 1 : i - 1, i, pointOf(i), i, 0);
     if (i > 0) link(v - 1, v);
     lost_ = lost_ || vertices_[v].stuck;
   }
@@ -233,13 +230,19 @@ Wavefront::Wavefront(const std::vector<Vec2>& polygon) : n_(polygon.size()), pol
   if (lost_) return;
   for (uint32_t i = 0; i < n; ++i) timeEdgeEvent(i);
   for (uint32_t i = 0; i < n; ++i) expectEdgeEvent(i);
-  startPeriod();
+  if (n > kFew && reflex_count_ > 0) {
+    lines_left_.resize(n);
+    for (uint32_t i = 0; i < n; ++i) lines_left_[i] = i;
+    startPeriod();
+  } else {
+    for (uint32_t i = 0; i < n; ++i) expectFirstSplit(i);
+  }
 }
 
 uint32_t Wavefront::addNode(Vec2 place, double time) {
-  places_.push_back(place);
-  times_.push_back(time);
-  return static_cast<uint32_t>(n_ + places_.size() - 1);
+  skeleton_.nodes.push_back(place);
+  skeleton_.times.push_back(time);
+  return static_cast<uint32_t>(skeleton_.nodes.size() - 1);
 }
 
 uint32_t Wavefront::addVertex(uint32_t in, uint32_t out, Vec2 place, uint32_t node, uint32_t loop) {
@@ -254,8 +257,8 @@ uint32_t Wavefront::addVertex(uint32_t in, uint32_t out, Vec2 place, uint32_t no
   v.split_target = kNone;
   v.split_time = v.edge_time = kNever;
   v.loop = loop;
-  v.sibling = first_of_line_[out];
-  first_of_line_[out] = static_cast<uint32_t>(vertices_.size() - 1);
+  v.sibling = lines_[out].first_vertex;
+  lines_[out].first_vertex = static_cast<uint32_t>(vertices_.size() - 1);
   v.alive = true;
   v.expected = false;
   const Vec2 a = lines_[in].normal, b = lines_[out].normal;
@@ -275,8 +278,8 @@ void Wavefront::retire(uint32_t v, uint32_t node) {
   if (vertex.node == node) return;
   const auto kind =
       vertex.node < n_ ? StraightSkeleton::Kind::peripheral : StraightSkeleton::Kind::skeleton;
-  arcs_.emplace_back();
-  StraightSkeleton::Edge& arc = arcs_.back();
+  skeleton_.edges.emplace_back();
+  StraightSkeleton::Edge& arc = skeleton_.edges.back();
   arc.a = vertex.node;
   arc.b = node;
   arc.kind = kind;
@@ -402,7 +405,7 @@ void Wavefront::startPeriod() {
 
   size_t count = 0;
   for (const uint32_t line : lines_left_) {
-    uint32_t* link = &first_of_line_[line];
+    uint32_t* link = &lines_[line].first_vertex;
     while (*link != kNone) {
       Vertex& vertex = vertices_[*link];
       if (vertex.alive) {
@@ -412,8 +415,8 @@ void Wavefront::startPeriod() {
         *link = vertex.sibling;
       }
     }
-    if (first_of_line_[line] == kNone) continue;
-    rank_[line] = static_cast<uint32_t>(count);
+    if (lines_[line].first_vertex == kNone) continue;
+    lines_[line].rank = static_cast<uint32_t>(count);
     lines_left_[count++] = line;
   }
   lines_left_.resize(count);
@@ -430,7 +433,7 @@ void Wavefront::startPeriod() {
     walkers_.clear();
     newcomers_.clear();
     for (size_t i = 0; i < count; ++i) {
-      for (uint32_t v = first_of_line_[lines_left_[i]]; v != kNone; v = vertices_[v].sibling) {
+      for (uint32_t v = lines_[lines_left_[i]].first_vertex; v != kNone; v = vertices_[v].sibling) {
         const Vertex& vertex = vertices_[v];
         edges_.orient(i, vertices_[vertex.next].at(now_) - vertex.at(now_));
         if (vertex.reflex) walkers_.push_back(v);
@@ -451,14 +454,14 @@ void Wavefront::startPeriod() {
       ways_.orient(i, vertices_[walkers_[i]].velocity);
     }
     for (size_t i = 0; i < count; ++i) {
-      for (uint32_t v = first_of_line_[lines_left_[i]]; v != kNone; v = vertices_[v].sibling) {
+      for (uint32_t v = lines_[lines_left_[i]].first_vertex; v != kNone; v = vertices_[v].sibling) {
         const Vertex& vertex = vertices_[v];
         edges_.include(i, sweptBy(v), marginOf(vertex) + marginOf(vertices_[vertex.next]));
       }
     }
   }
   for (const uint32_t line : lines_left_) {
-    for (uint32_t v = first_of_line_[line]; v != kNone; v = vertices_[v].sibling) {
+    for (uint32_t v = lines_[line].first_vertex; v != kNone; v = vertices_[v].sibling) {
       vertices_[v].split_time = kNever;
       expectFirstSplit(v);
     }
@@ -498,7 +501,7 @@ uint32_t Wavefront::nextEdgeReached(uint32_t v, double& wait) {
     }
     for (size_t k = 0; k < kRun; ++k) {
       if (apart[k] > 0) continue;
-      for (uint32_t e = first_of_line_[lines_left_[first + k]]; e != kNone;
+      for (uint32_t e = lines_[lines_left_[first + k]].first_vertex; e != kNone;
            e = vertices_[e].sibling) {
         const Vertex& start = vertices_[e];
         if (!start.alive || start.loop != vertex.loop || e == v || e == vertex.previous) continue;
@@ -546,7 +549,7 @@ void Wavefront::lookForNewSplits(uint32_t v, bool ends, double old_speed) {
     const double time = swept.until - now_;
     swept = {way, {way.a, way.a + old_velocity * time, marginOf(fresh)}, swept.until};
   }
-  edges_.include(rank_[vertices_[edge].out], swept,
+  edges_.include(lines_[vertices_[edge].out].rank, swept,
                  marginOf(vertices_[edge]) + marginOf(vertices_[end]));
   ways_.visit(swept, [&](size_t first) {
     const size_t last = std::min(first + kRun, walkers_.size());
@@ -830,52 +833,55 @@ bool Wavefront::run() {
 }
 
 StraightSkeleton Wavefront::result() {
-  // Nodes that an arc of no length joins are one.
-  const size_t inner = places_.size();
-  std::vector<uint32_t> same(n_ + inner);
-  for (size_t i = 0; i < same.size(); ++i) same[i] = static_cast<uint32_t>(i);
+  mergeNodes();
+  for (size_t i = n_; i < skeleton_.nodes.size(); ++i) {
+    skeleton_.nodes[i] = skeleton_.nodes[i] * unit_ + center_;
+    skeleton_.times[i] = skeleton_.times[i] * unit_;
+  }
+  return std::move(skeleton_);
+}
+
+// Nodes that an arc of no length joins are one.
+void Wavefront::mergeNodes() {
+  auto& [nodes, times, edges, method] = skeleton_;
+  (void)method;
+  std::vector<uint32_t> same;
   const auto root = [&](uint32_t i) {
     while (same[i] != i) i = same[i] = same[same[i]];
     return i;
   };
-  for (const auto& arc : arcs_) {
+  for (size_t i = n_; i < edges.size(); ++i) {
+    const auto& arc = edges[i];
     if (arc.kind != StraightSkeleton::Kind::skeleton) continue;
-    if (distance(places_[arc.a - n_], places_[arc.b - n_]) >= kMergeNodes) continue;
+    const Vec2 across = nodes[arc.b] - nodes[arc.a];
+    if (dot(across, across) >= kMergeNodes * kMergeNodes) continue;
+    if (same.empty()) {
+      same.resize(nodes.size());
+      for (size_t k = 0; k < same.size(); ++k) same[k] = static_cast<uint32_t>(k);
+    }
     const uint32_t a = root(arc.a), b = root(arc.b);
     same[std::max(a, b)] = std::min(a, b);
   }
+  if (same.empty()) return;
 
-  StraightSkeleton out;
-  out.method = StraightSkeleton::Method::wavefront;
-  out.nodes.reserve(n_ + inner);
-  out.times.reserve(n_ + inner);
-  out.nodes = polygon_;
-  out.times.assign(n_, 0.0);
-  std::vector<uint32_t> index(n_ + inner);
-  for (size_t i = 0; i < n_; ++i) index[i] = static_cast<uint32_t>(i);
-  for (size_t i = n_; i < n_ + inner; ++i) {
+  std::vector<uint32_t> index(nodes.size());
+  size_t count = 0;
+  for (size_t i = 0; i < nodes.size(); ++i) {
     if (same[i] != i) continue;
-    index[i] = static_cast<uint32_t>(out.nodes.size());
-    out.nodes.push_back(places_[i - n_] * unit_ + center_);
-    out.times.push_back(times_[i - n_] * unit_);
+    index[i] = static_cast<uint32_t>(count);
+    nodes[count] = nodes[i];
+    times[count++] = times[i];
   }
-  out.edges.resize(n_ + arcs_.size());
-  StraightSkeleton::Edge* edge = out.edges.data();
-  for (uint32_t i = 0; i < n_; ++i, ++edge) {
-    edge->a = edge->left = edge->right = i;
-    edge->b = i + 1 == n_ ? 0 : i + 1;
-    edge->kind = StraightSkeleton::Kind::border;
+  nodes.resize(count);
+  times.resize(count);
+  count = n_;
+  for (size_t i = n_; i < edges.size(); ++i) {
+    StraightSkeleton::Edge arc = edges[i];
+    arc.a = index[root(arc.a)];
+    arc.b = index[root(arc.b)];
+    if (arc.a != arc.b) edges[count++] = arc;
   }
-  for (const auto& arc : arcs_) {
-    const uint32_t a = index[root(arc.a)], b = index[root(arc.b)];
-    if (a == b) continue;
-    *edge = arc;
-    edge->a = a;
-    edge->b = b;
-    ++edge;
-  }
-  out.edges.resize(static_cast<size_t>(edge - out.edges.data()));
-  return out;
+  edges.resize(count);
 }
 
 }  // namespace
