@@ -164,12 +164,13 @@ class Wavefront {
   bool indexed_ = false;
   uint32_t reflex_count_ = 0;  // living ones
   uint32_t loop_count_ = 1;
+  uint32_t last_target_ = kNone;
   bool lost_ = false;
 
   // What may run into what until the period ends; for each line that still has wavefront edges.
-  SlabHierarchy edges_;                  // where they will pass
-  SlabHierarchy ways_;                   // of the reflex vertices that they start from
-  std::vector<uint32_t> lines_left_;     // in their order
+  SlabHierarchy edges_;               // where they will pass
+  SlabHierarchy ways_;                // of the reflex vertices that they start from
+  std::vector<uint32_t> lines_left_;  // in their order
   std::vector<uint32_t> walkers_, newcomers_;
   std::vector<LineRun> line_runs_;
   std::vector<double> scratch_;
@@ -488,26 +489,38 @@ uint32_t Wavefront::nextEdgeReached(uint32_t v, double& wait) {
   const bool ends = end > 0 && end < wait;
   if (ends) wait = end;
   const double horizon = now_ + wait;
+  const auto look = [&](uint32_t edge) {
+    const Vertex& start = vertices_[edge];
+    if (start.alive && start.loop == vertex.loop && edge != v && edge != vertex.previous &&
+        reaches(vertex, place, edge, wait)) {
+      target = edge;
+      return true;
+    }
+    return false;
+  };
+  // Neighbours often run into the same edge: a first guess.
+  if (last_target_ != kNone) {
+    look(last_target_);
+    look(vertices_[last_target_].previous);
+  }
   const double margin = marginOf(vertex);
   Way way{place, place + vertex.velocity * wait, margin};
   const auto lookAtRun = [&](size_t first) {
     // Whether the vertex gets as far as the lines, as in reaches().
     const LineRun& run = line_runs_[first / kRun];
+    const Vec2 from = place, velocity = vertex.velocity;
+    const double time = now_, within = wait;
     double apart[kRun];
     for (size_t k = 0; k < kRun; ++k) {
-      const double gap = run.x[k] * place.x + run.y[k] * place.y - run.offset[k] - now_;
-      const double closing = 1 - (run.x[k] * vertex.velocity.x + run.y[k] * vertex.velocity.y);
-      apart[k] = std::max(-kSamePlace - gap, gap - wait * closing);
+      const double gap = run.x[k] * from.x + run.y[k] * from.y - run.offset[k] - time;
+      const double closing = 1 - (run.x[k] * velocity.x + run.y[k] * velocity.y);
+      apart[k] = std::max(-kSamePlace - gap, gap - within * closing);
     }
     for (size_t k = 0; k < kRun; ++k) {
       if (apart[k] > 0) continue;
       for (uint32_t e = lines_[lines_left_[first + k]].first_vertex; e != kNone;
            e = vertices_[e].sibling) {
-        const Vertex& start = vertices_[e];
-        if (!start.alive || start.loop != vertex.loop || e == v || e == vertex.previous) continue;
-        if (!reaches(vertex, place, e, wait)) continue;
-        target = e;
-        way = {place, place + vertex.velocity * wait, margin};
+        if (look(e)) way = {place, place + vertex.velocity * wait, margin};
       }
     }
   };
@@ -517,6 +530,7 @@ uint32_t Wavefront::nextEdgeReached(uint32_t v, double& wait) {
   } else {
     newcomers_.push_back(v);
   }
+  if (target != kNone) last_target_ = target;
   if (target == kNone && ends) expectSplitEvent(v, kNone, horizon - now_);
   return target;
 }
