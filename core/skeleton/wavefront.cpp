@@ -128,6 +128,7 @@ class Wavefront {
   void startPeriod();
   double timeLeft() const { return std::min(period_end_ + kOverlap, now_ + kLongest) - now_; }
   Sweep sweptBy(uint32_t edge) const;
+  bool passes(Vec2 place, uint32_t edge, double time) const;
   bool reaches(const Vertex& v, Vec2 place, uint32_t edge, double& wait) const;
   uint32_t nextEdgeReached(uint32_t v, double& wait);
   void lookForNewSplits(uint32_t v, bool ends, double old_speed);
@@ -354,18 +355,25 @@ void Wavefront::expectSplitEvent(uint32_t v, uint32_t edge, double wait) {
   push(vertices_[v].split_time, v, kSplit);
 }
 
+// Whether a place on the line of the wavefront edge is between the edge's ends at that time.
+bool Wavefront::passes(Vec2 place, uint32_t edge, double time) const {
+  const Vertex &start = vertices_[edge], &end = vertices_[start.next];
+  const Line& line = lines_[start.out];
+  const double along = line.along(place);
+  return along >= line.along(start.at(time)) - start.tolerance() &&
+         along <= line.along(end.at(time)) + end.tolerance();
+}
+
 // Whether reflex vertex v, at `place` now, runs into the wavefront edge sooner than in `wait`, if
 // everything goes on as it does now. Updates `wait`.
-bool Wavefront::reaches(const Vertex& v, Vec2 place, uint32_t edge, double& wait) const {
-  const Vertex &start = vertices_[edge], &end = vertices_[start.next];
+inline bool Wavefront::reaches(const Vertex& v, Vec2 place, uint32_t edge, double& wait) const {
+  const Vertex& start = vertices_[edge];
   const Line& line = lines_[start.out];
   const double gap = dot(line.normal, place) - line.offset - now_;
   const double closing = 1 - dot(line.normal, v.velocity);
   if (gap < -kSamePlace || closing < kStandsStill || gap >= wait * closing) return false;
-  const double until = std::max(gap / closing, 0.0), time = now_ + until;
-  const double along = line.along(place + v.velocity * until);
-  if (along < line.along(start.at(time)) - start.tolerance()) return false;
-  if (along > line.along(end.at(time)) + end.tolerance()) return false;
+  const double until = std::max(gap / closing, 0.0);
+  if (!passes(place + v.velocity * until, edge, now_ + until)) return false;
   wait = until;
   return true;
 }
@@ -426,7 +434,7 @@ void Wavefront::startPeriod() {
     indexed_ = true;
     if (scratch_.size() > count / 8) {
       const auto middle =
-          scratch_.begin() + static_cast<long>(scratch_.size() / (count > 400 ? 4 : 2));
+          scratch_.begin() + static_cast<long>(scratch_.size() / (count > 400 ? 3 : 2));
       std::nth_element(scratch_.begin(), middle, scratch_.end());
       period_end_ = *middle * (1 + 1e-6) + kOverlap;
     }
@@ -538,9 +546,10 @@ uint32_t Wavefront::nextEdgeReached(uint32_t v, double& wait) {
 // The new vertex v ends an edge, or starts it. Where it retreats more slowly than what was there
 // before, reflex vertices may run into what is left of the edge then.
 void Wavefront::lookForNewSplits(uint32_t v, bool ends, double old_speed) {
+  if (reflex_count_ == 0) return;
   const Vertex& fresh = vertices_[v];
   const double speed = ends ? endSpeed(fresh) : startSpeed(fresh);
-  if (reflex_count_ == 0 || (ends ? speed <= old_speed : speed >= old_speed)) return;
+  if (ends ? speed <= old_speed : speed >= old_speed) return;
   const uint32_t edge = ends ? fresh.previous : v, end = ends ? v : fresh.next;
   const auto look = [&](uint32_t u) {
     const Vertex& vertex = vertices_[u];
