@@ -1,183 +1,19 @@
-// Our own straight skeleton: the polygon's edges move inward at unit speed; the vertices between
-// them (the wavefront) trace the arcs. Declared in straight_skeleton.h.
-//
-// Everything happens in coordinates where the polygon's size is about 1, so that the tolerances
-// below are lengths and times at once.
-//
-// Two kinds of events: a wavefront edge shrinks to nothing (edge event), or a reflex vertex runs
-// into another edge (split event). Both end in one of two steps: a chain of vertices that meet in
-// one point becomes one vertex (`collapse`), or two chains that meet exchange their ends (`split`).
-// Vertex events are splits whose second chain is a vertex instead of the inside of an edge. Events
-// that coincide are taken together by gathering everything that is at the same place at the same
-// time, within a tolerance: regular shapes are the normal case, not the exception.
+// What happens when the wavefront's edges vanish and its vertices meet.
 
-#include <algorithm>
+#include "skeleton/wavefront.h"
+
 #include <cmath>
-#include <cstdint>
-#include <limits>
-#include <vector>
 
 #include "base/box.h"
-#include "skeleton/slab_hierarchy.h"
-#include "skeleton/straight_skeleton.h"
 
 namespace marrow {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr uint32_t kNone = 0xffffffff;
-constexpr uint32_t kSplit = 0xfffffffe;
-
-constexpr double kSamePlace = 1e-12;    // closer than this is one point
 constexpr double kAntiparallel = 1e-9;  // sine below which two facing edges count as parallel
 constexpr double kStraight = 1e-11;     // sine below which a vertex does not count as reflex
-constexpr double kStandsStill = 1e-13;  // closing speed below which two things never meet
 constexpr double kFast = 8;             // speed from which a vertex's place is not well conditioned
 constexpr double kVeryFast = 1e4;       // speed from which times alone do not tell what is first
-constexpr double kLongest = 1;          // nothing is left of the polygon by then
-constexpr double kMargin = 1e-9;        // above the tolerances of places, but for fast vertices
-constexpr double kOverlap = 1e-9;       // of two periods
 constexpr double kMergeNodes = 1e-9;    // arcs shorter than this join one node to another
-constexpr size_t kRun = SlabHierarchy::kRun;
-constexpr uint32_t kFew = 64;  // edges: up to so many are all looked at
-
-// A border edge: its moving line is {x : dot(normal, x) = offset + t}.
-struct Line {
-  Vec2 normal;
-  double offset;
-  uint32_t first_vertex = 0xffffffff;  // of those whose wavefront edges are part of it: siblings
-  uint32_t rank = 0;                   // among the lines that have any
-
-  /// Position along the edge.
-  double along(Vec2 p) const { return normal.y * p.x - normal.x * p.y; }
-  Vec2 direction() const { return {normal.y, -normal.x}; }
-};
-
-// A wavefront vertex between the line that comes in and the one that goes out. It lives from its
-// creation to the event that ends it and is never changed in between, but for its neighbours. The
-// wavefront edge from it to the next vertex goes by its name.
-struct Vertex {
-  Vec2 place;   // at its creation
-  double time;  // of its creation
-  Vec2 velocity;
-  double speed;
-  uint32_t in, out;
-  uint32_t previous, next;
-  uint32_t node;          // where its arc begins
-  uint32_t split_target;  // the edge that it is expected to run into, if it is reflex; may be gone
-  double split_time;      // when; of its next split event
-  double edge_time;       // when its wavefront edge will have shrunk to nothing
-  uint32_t loop;          // the same for all of one loop
-  uint32_t way;           // among the ways that are looked up
-  uint32_t sibling;       // another whose wavefront edge is part of the same border edge
-  bool alive, reflex, stuck;
-  bool expected;  // whether the event at edge_time is among the events
-
-  Vec2 at(double t) const { return place + velocity * (t - time); }
-  // How far `at` may be off: a fast vertex magnifies the rounding of the time.
-  double tolerance() const { return kSamePlace + 4e-15 * speed; }
-};
-
-// Edge event: the wavefront edge from `vertex` to `other` shrinks to nothing.
-// Split event: `vertex` may have reached another edge; `other` is kSplit.
-struct Event {
-  double time;
-  uint32_t vertex, other;
-
-  bool operator<(const Event& e) const {  // for a heap with the earliest on top
-    if (time != e.time) return time > e.time;
-    if (vertex != e.vertex) return vertex > e.vertex;
-    return other > e.other;
-  }
-};
-
-// The lines of a run of edges side by side; where there are fewer, they are out of reach.
-struct LineRun {
-  double x[kRun], y[kRun], offset[kRun];
-
-  LineRun() {
-    for (size_t k = 0; k < kRun; ++k) {
-      x[k] = y[k] = 0;
-      offset[k] = 1e9;
-    }
-  }
-};
-
-class Wavefront {
- public:
-  explicit Wavefront(const std::vector<Vec2>& polygon);
-  bool run();
-  StraightSkeleton result();
-
- private:
-  void mergeNodes();
-  uint32_t addNode(Vec2 place, double time);
-  uint32_t addVertex(uint32_t in, uint32_t out, Vec2 place, uint32_t node, uint32_t loop);
-  void link(uint32_t v, uint32_t w) {
-    vertices_[v].next = w;
-    vertices_[w].previous = v;
-  }
-  void retire(uint32_t v, uint32_t node);
-  bool isAt(uint32_t v, Vec2 place) const;
-
-  void push(double time, uint32_t vertex, uint32_t other);
-  void timeEdgeEvent(uint32_t v);
-  void expectEdgeEvent(uint32_t v);
-  void expectFirstSplit(uint32_t v);
-  void expectSplitEvent(uint32_t v, uint32_t edge, double wait);
-  void startPeriod();
-  double timeLeft() const { return std::min(period_end_ + kOverlap, now_ + kLongest) - now_; }
-  Sweep sweptBy(uint32_t edge) const;
-  bool passes(Vec2 place, uint32_t edge, double time) const;
-  bool reaches(const Vertex& v, Vec2 place, uint32_t edge, double& wait) const;
-  uint32_t nextEdgeReached(uint32_t v, double& wait);
-  void lookForNewSplits(uint32_t v, bool ends, double old_speed);
-  double edgeEventTime(const Vertex& v, const Vertex& w) const;
-  Vec2 meetingPlace(const Vertex& v, const Vertex& w) const;
-
-  struct Chain {
-    uint32_t first, last;
-  };
-  Chain gather(uint32_t first, uint32_t last, Vec2 place) const;
-  bool isIn(uint32_t v, Chain chain) const;
-  uint32_t retireChain(Chain chain, Vec2 place);
-  void retireAt(Chain chain, uint32_t node);
-
-  void collapse(uint32_t first, uint32_t last, Vec2 place);
-  void arrive(uint32_t v, double end_speed, double start_speed);
-  bool slide(uint32_t v, Chain& chain, Vec2& place);
-  void handleEdge(uint32_t v, uint32_t w);
-  void handleSplit(uint32_t v);
-  void split(uint32_t v, uint32_t edge, Vec2 place);
-  void nameLoops(uint32_t a, uint32_t b);
-  void goOn(uint32_t v, Vec2 place, double end_speed, double start_speed);
-  double endSpeed(const Vertex& v) const;
-  double startSpeed(const Vertex& v) const;
-
-  size_t n_;
-  Vec2 center_;
-  double unit_ = 1;
-
-  std::vector<Line> lines_;
-  std::vector<Vertex> vertices_;
-  std::vector<Event> events_;
-  double now_ = 0, period_end_ = kNever;
-  bool indexed_ = false;
-  uint32_t reflex_count_ = 0;  // living ones
-  uint32_t loop_count_ = 1;
-  uint32_t last_target_ = kNone;
-  bool lost_ = false;
-
-  // What may run into what until the period ends; for each line that still has wavefront edges.
-  SlabHierarchy edges_;               // where they will pass
-  SlabHierarchy ways_;                // of the reflex vertices that they start from
-  std::vector<uint32_t> lines_left_;  // in their order
-  std::vector<uint32_t> walkers_, newcomers_;
-  std::vector<LineRun> line_runs_;
-  std::vector<double> scratch_;
-
-  StraightSkeleton skeleton_;  // as it grows; inner nodes and times in our coordinates
-};
 
 // The velocity that keeps a point on both moving lines; nothing when they face each other.
 bool velocityBetween(Vec2 in, Vec2 out, Vec2& velocity) {
@@ -190,6 +26,8 @@ bool velocityBetween(Vec2 in, Vec2 out, Vec2& velocity) {
   }
   return true;
 }
+
+}  // namespace
 
 Wavefront::Wavefront(const std::vector<Vec2>& polygon) : n_(polygon.size()) {
   const Box2 box = boxOf(polygon);
@@ -232,13 +70,7 @@ Wavefront::Wavefront(const std::vector<Vec2>& polygon) : n_(polygon.size()) {
   if (lost_) return;
   for (uint32_t i = 0; i < n; ++i) timeEdgeEvent(i);
   for (uint32_t i = 0; i < n; ++i) expectEdgeEvent(i);
-  if (n > kFew && reflex_count_ > 0) {
-    lines_left_.resize(n);
-    for (uint32_t i = 0; i < n; ++i) lines_left_[i] = i;
-    startPeriod();
-  } else {
-    for (uint32_t i = 0; i < n; ++i) expectFirstSplit(i);
-  }
+  expectFirstSplits();
 }
 
 uint32_t Wavefront::addNode(Vec2 place, double time) {
@@ -331,6 +163,12 @@ Vec2 Wavefront::meetingPlace(const Vertex& v, const Vertex& w) const {
   return v.speed < w.speed ? v.at(now_) : w.at(now_);
 }
 
+// Whether the edge of an edge event still is what it was then.
+bool Wavefront::isCurrent(const Event& edge_event) const {
+  const Vertex& vertex = vertices_[edge_event.vertex];
+  return vertex.next == edge_event.other && vertex.edge_time <= edge_event.time;
+}
+
 void Wavefront::timeEdgeEvent(uint32_t v) {
   Vertex& vertex = vertices_[v];
   vertex.edge_time = edgeEventTime(vertex, vertices_[vertex.next]);
@@ -347,247 +185,6 @@ void Wavefront::expectEdgeEvent(uint32_t v) {
   }
   vertex.expected = true;
   push(vertex.edge_time, v, vertex.next);
-}
-
-void Wavefront::expectSplitEvent(uint32_t v, uint32_t edge, double wait) {
-  vertices_[v].split_target = edge;
-  vertices_[v].split_time = std::max(now_ + wait, now_);
-  push(vertices_[v].split_time, v, kSplit);
-}
-
-// Whether a place on the line of the wavefront edge is between the edge's ends at that time.
-bool Wavefront::passes(Vec2 place, uint32_t edge, double time) const {
-  const Vertex &start = vertices_[edge], &end = vertices_[start.next];
-  const Line& line = lines_[start.out];
-  const double along = line.along(place);
-  return along >= line.along(start.at(time)) - start.tolerance() &&
-         along <= line.along(end.at(time)) + end.tolerance();
-}
-
-// Whether reflex vertex v, at `place` now, runs into the wavefront edge sooner than in `wait`, if
-// everything goes on as it does now. Updates `wait`.
-inline bool Wavefront::reaches(const Vertex& v, Vec2 place, uint32_t edge, double& wait) const {
-  const Vertex& start = vertices_[edge];
-  const Line& line = lines_[start.out];
-  const double gap = dot(line.normal, place) - line.offset - now_;
-  const double closing = 1 - dot(line.normal, v.velocity);
-  if (gap < -kSamePlace || closing < kStandsStill || gap >= wait * closing) return false;
-  const double until = std::max(gap / closing, 0.0);
-  if (!passes(place + v.velocity * until, edge, now_ + until)) return false;
-  wait = until;
-  return true;
-}
-
-double marginOf(const Vertex& v) { return kMargin + v.tolerance(); }
-
-// Where the wavefront edge passes until it is gone or the period ends.
-Sweep Wavefront::sweptBy(uint32_t edge) const {
-  const Vertex &start = vertices_[edge], &end = vertices_[start.next];
-  const double gone = std::max(start.edge_time, now_) + kOverlap;
-  const double until = std::min(now_ + timeLeft(), gone);
-  return {{start.at(now_), start.at(until), marginOf(start)},
-          {end.at(now_), end.at(until), marginOf(end)},
-          until};
-}
-
-// Looks for all split events until the end of a period in which about half of the edges will
-// vanish. In a short time nothing goes far, so that little can run into little; what has vanished
-// by the end need never be looked at again.
-void Wavefront::startPeriod() {
-  now_ = period_end_ < kNever ? std::max(now_, period_end_) : now_;
-  period_end_ = kNever;
-  indexed_ = false;
-  if (reflex_count_ == 0) return;
-
-  // All splits are looked for anew, and what is out of date among the edge events may go.
-  scratch_.clear();
-  size_t kept = 0;
-  for (const Event& event : events_) {
-    if (event.other == kSplit || !vertices_[event.vertex].alive ||
-        vertices_[event.vertex].next != event.other) {
-      continue;
-    }
-    events_[kept++] = event;
-  }
-  events_.resize(kept);
-  std::make_heap(events_.begin(), events_.end());
-
-  size_t count = 0;
-  for (const uint32_t line : lines_left_) {
-    uint32_t* link = &lines_[line].first_vertex;
-    while (*link != kNone) {
-      Vertex& vertex = vertices_[*link];
-      if (vertex.alive) {
-        if (vertex.edge_time < kNever) scratch_.push_back(vertex.edge_time);
-        link = &vertex.sibling;
-      } else {
-        *link = vertex.sibling;
-      }
-    }
-    if (lines_[line].first_vertex == kNone) continue;
-    lines_[line].rank = static_cast<uint32_t>(count);
-    lines_left_[count++] = line;
-  }
-  lines_left_.resize(count);
-
-  if (count > kFew) {
-    indexed_ = true;
-    if (scratch_.size() > count / 8) {
-      const auto middle =
-          scratch_.begin() + static_cast<long>(scratch_.size() / (count > 400 ? 3 : 2));
-      std::nth_element(scratch_.begin(), middle, scratch_.end());
-      period_end_ = *middle * (1 + 1e-6) + kOverlap;
-    }
-    edges_.reset(count);
-    walkers_.clear();
-    newcomers_.clear();
-    for (size_t i = 0; i < count; ++i) {
-      for (uint32_t v = lines_[lines_left_[i]].first_vertex; v != kNone; v = vertices_[v].sibling) {
-        const Vertex& vertex = vertices_[v];
-        edges_.orient(i, vertices_[vertex.next].at(now_) - vertex.at(now_));
-        if (vertex.reflex) walkers_.push_back(v);
-      }
-    }
-    line_runs_.assign((count + kRun - 1) / kRun, LineRun{});
-    for (size_t i = 0; i < count; ++i) {
-      const Line& line = lines_[lines_left_[i]];
-      LineRun& run = line_runs_[i / kRun];
-      const size_t k = i % kRun;
-      run.x[k] = line.normal.x;
-      run.y[k] = line.normal.y;
-      run.offset[k] = line.offset;
-    }
-    ways_.reset(walkers_.size());
-    for (size_t i = 0; i < walkers_.size(); ++i) {
-      vertices_[walkers_[i]].way = static_cast<uint32_t>(i);
-      ways_.orient(i, vertices_[walkers_[i]].velocity);
-    }
-    for (size_t i = 0; i < count; ++i) {
-      for (uint32_t v = lines_[lines_left_[i]].first_vertex; v != kNone; v = vertices_[v].sibling) {
-        const Vertex& vertex = vertices_[v];
-        edges_.include(i, sweptBy(v), marginOf(vertex) + marginOf(vertices_[vertex.next]));
-      }
-    }
-  }
-  for (const uint32_t line : lines_left_) {
-    for (uint32_t v = lines_[line].first_vertex; v != kNone; v = vertices_[v].sibling) {
-      vertices_[v].split_time = kNever;
-      expectFirstSplit(v);
-    }
-  }
-}
-
-// The first edge that v runs into, of all of its loop but its own two.
-uint32_t Wavefront::nextEdgeReached(uint32_t v, double& wait) {
-  const Vertex& vertex = vertices_[v];
-  const Vec2 place = vertex.at(now_);
-  uint32_t target = kNone;
-  vertices_[v].split_time = kNever;
-  if (!indexed_) {
-    wait = kNever;
-    for (uint32_t edge = vertex.next; edge != vertex.previous; edge = vertices_[edge].next) {
-      if (reaches(vertex, place, edge, wait)) target = edge;
-    }
-    return target;
-  }
-  wait = timeLeft();
-  // Not beyond its end, as far as that is known now.
-  const double end =
-      std::min(vertices_[vertex.previous].edge_time, vertex.edge_time) - now_ + kOverlap;
-  const bool ends = end > 0 && end < wait;
-  if (ends) wait = end;
-  const double horizon = now_ + wait;
-  const auto look = [&](uint32_t edge) {
-    const Vertex& start = vertices_[edge];
-    if (start.alive && start.loop == vertex.loop && edge != v && edge != vertex.previous &&
-        reaches(vertex, place, edge, wait)) {
-      target = edge;
-      return true;
-    }
-    return false;
-  };
-  // Neighbours often run into the same edge: a first guess.
-  if (last_target_ != kNone) {
-    look(last_target_);
-    look(vertices_[last_target_].previous);
-  }
-  const double margin = marginOf(vertex);
-  Way way{place, place + vertex.velocity * wait, margin};
-  const auto lookAtRun = [&](size_t first) {
-    // Whether the vertex gets as far as the lines, as in reaches().
-    const LineRun& run = line_runs_[first / kRun];
-    const Vec2 from = place, velocity = vertex.velocity;
-    const double time = now_, within = wait;
-    double apart[kRun];
-    for (size_t k = 0; k < kRun; ++k) {
-      const double gap = run.x[k] * from.x + run.y[k] * from.y - run.offset[k] - time;
-      const double closing = 1 - (run.x[k] * velocity.x + run.y[k] * velocity.y);
-      apart[k] = std::max(-kSamePlace - gap, gap - within * closing);
-    }
-    for (size_t k = 0; k < kRun; ++k) {
-      if (apart[k] > 0) continue;
-      for (uint32_t e = lines_[lines_left_[first + k]].first_vertex; e != kNone;
-           e = vertices_[e].sibling) {
-        if (look(e)) way = {place, place + vertex.velocity * wait, margin};
-      }
-    }
-  };
-  edges_.visit(way, lookAtRun);
-  if (vertex.way != kNone) {
-    ways_.include(vertex.way, way, margin);
-  } else {
-    newcomers_.push_back(v);
-  }
-  if (target != kNone) last_target_ = target;
-  if (target == kNone && ends) expectSplitEvent(v, kNone, horizon - now_);
-  return target;
-}
-
-// The new vertex v ends an edge, or starts it. Where it retreats more slowly than what was there
-// before, reflex vertices may run into what is left of the edge then.
-void Wavefront::lookForNewSplits(uint32_t v, bool ends, double old_speed) {
-  if (reflex_count_ == 0) return;
-  const Vertex& fresh = vertices_[v];
-  const double speed = ends ? endSpeed(fresh) : startSpeed(fresh);
-  if (ends ? speed <= old_speed : speed >= old_speed) return;
-  const uint32_t edge = ends ? fresh.previous : v, end = ends ? v : fresh.next;
-  const auto look = [&](uint32_t u) {
-    const Vertex& vertex = vertices_[u];
-    double wait = vertex.split_time - now_;
-    if (indexed_) wait = std::min(wait, timeLeft());
-    if (reaches(vertex, vertex.at(now_), edge, wait)) expectSplitEvent(u, edge, wait);
-  };
-  if (!indexed_) {
-    for (uint32_t u = vertices_[end].next; u != edge; u = vertices_[u].next) {
-      if (vertices_[u].reflex) look(u);
-    }
-    return;
-  }
-  Sweep swept = sweptBy(edge);
-  if (old_speed > -kNever && old_speed < kNever) {
-    // Only what lies between where the end goes and where it would have gone.
-    const Line& line = lines_[vertices_[edge].out];
-    const Vec2 old_velocity = line.normal + line.direction() * old_speed;
-    const Way& way = ends ? swept.end : swept.start;
-    const double time = swept.until - now_;
-    swept = {way, {way.a, way.a + old_velocity * time, marginOf(fresh)}, swept.until};
-  }
-  edges_.include(lines_[vertices_[edge].out].rank, swept,
-                 marginOf(vertices_[edge]) + marginOf(vertices_[end]));
-  ways_.visit(swept, [&](size_t first) {
-    const size_t last = std::min(first + kRun, walkers_.size());
-    for (size_t i = first; i < last; ++i) {
-      const uint32_t u = walkers_[i];
-      const Vertex& vertex = vertices_[u];
-      if (!vertex.alive || u == edge || u == end || vertex.loop != fresh.loop) continue;
-      look(u);
-    }
-  });
-  for (const uint32_t u : newcomers_) {
-    const Vertex& vertex = vertices_[u];
-    if (!vertex.alive || u == edge || u == end || vertex.loop != fresh.loop) continue;
-    look(u);
-  }
 }
 
 // All neighbours of first … last that are at `place` now.
@@ -677,15 +274,6 @@ bool Wavefront::slide(uint32_t v, Chain& chain, Vec2& place) {
   return true;
 }
 
-// How fast a vertex moves along the edge that ends in it, and along the one that starts there. One
-// that slides is at the other end at once.
-double Wavefront::endSpeed(const Vertex& v) const {
-  return v.stuck ? -kNever : lines_[v.in].along(v.velocity);
-}
-double Wavefront::startSpeed(const Vertex& v) const {
-  return v.stuck ? kNever : lines_[v.out].along(v.velocity);
-}
-
 // A new vertex on its way. The speeds are those of the ends that its two edges had before: where a
 // new end retreats more slowly, more of the edge will be there than was foreseen.
 void Wavefront::arrive(uint32_t v, double end_speed, double start_speed) {
@@ -699,13 +287,6 @@ void Wavefront::arrive(uint32_t v, double end_speed, double start_speed) {
   expectFirstSplit(v);
   lookForNewSplits(v, true, end_speed);
   lookForNewSplits(v, false, start_speed);
-}
-
-void Wavefront::expectFirstSplit(uint32_t v) {
-  if (!vertices_[v].reflex) return;
-  double wait;
-  const uint32_t edge = nextEdgeReached(v, wait);
-  if (edge != kNone) expectSplitEvent(v, edge, wait);
 }
 
 // A very fast vertex meets both its neighbours at what is the same time to double precision: which
@@ -844,7 +425,7 @@ bool Wavefront::run() {
       if (event.time != vertices_[event.vertex].split_time) continue;
       now_ = std::max(now_, event.time);
       handleSplit(event.vertex);
-    } else if (vertices_[event.vertex].next == event.other) {
+    } else if (isCurrent(event)) {
       now_ = std::max(now_, event.time);
       handleEdge(event.vertex, event.other);
     }
@@ -906,8 +487,6 @@ void Wavefront::mergeNodes() {
   }
   edges.resize(count);
 }
-
-}  // namespace
 
 Result<StraightSkeleton> straightSkeletonByWavefront(const std::vector<Vec2>& polygon) {
   if (polygon.size() < 3) return Status::tooFewPoints;
