@@ -28,7 +28,7 @@ struct Way {
 /// What a segment passes whose ends go two ways.
 struct Sweep {
   Way start, end;
-  double until;
+  double until;  // when they are at the ends of their ways
   Box2 box;
 
   Sweep(const Way& v, const Way& w, double t) : start(v), end(w), until(t), box(v.box) {
@@ -76,7 +76,8 @@ class SlabHierarchy {
     }
   }
 
-  /// All volumes around thing i become large enough for a way or sweep. O(log count).
+  /// All volumes around thing i become large enough for a way or sweep, whose box has the margin
+  /// around it. O(log count).
   template <typename Swept>
   void include(size_t i, const Swept& swept, double margin) {
     for (size_t level = 0; level + 1 < starts_.size(); ++level) {
