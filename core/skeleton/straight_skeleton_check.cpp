@@ -31,7 +31,12 @@ std::string inconsistency(const std::vector<Vec2>& polygon, const StraightSkelet
     directions[i] = d / length(d);
   }
 
-  std::vector<uint32_t> degree(nodes, 0), on_face(n + 1, 0);
+  // All counts and walks in one piece of memory.
+  std::vector<uint32_t> memory(2 * nodes + 2 * n + 1, 0);
+  uint32_t* const degree = memory.data();
+  uint32_t* const on_face = degree + nodes;
+  uint32_t* const end = on_face + n + 1;
+  uint32_t* const next = end + n;
   for (size_t i = 0; i < arc_count; ++i) {
     const auto& arc = arcs[i];
     if (arc.a >= nodes || arc.b >= nodes || arc.left >= n || arc.right >= n ||
@@ -45,12 +50,13 @@ std::string inconsistency(const std::vector<Vec2>& polygon, const StraightSkelet
     ++degree[arc.b];
     ++on_face[arc.left];
     ++on_face[arc.right];
+    const Vec2 a = skeleton.nodes[arc.a], b = skeleton.nodes[arc.b];
+    const double a_time = skeleton.times[arc.a], b_time = skeleton.times[arc.b];
     for (const uint32_t face : {arc.left, arc.right}) {
-      for (const uint32_t node : {arc.a, arc.b}) {
-        const double height = cross(directions[face], skeleton.nodes[node] - polygon[face]);
-        if (!(std::fabs(height - skeleton.times[node]) <= tolerance)) {
-          return "a node's time is not its distance";
-        }
+      const Vec2 start = polygon[face], direction = directions[face];
+      if (!(std::fabs(cross(direction, a - start) - a_time) <= tolerance) ||
+          !(std::fabs(cross(direction, b - start) - b_time) <= tolerance)) {
+        return "a node's time is not its distance";
       }
     }
   }
@@ -67,19 +73,19 @@ std::string inconsistency(const std::vector<Vec2>& polygon, const StraightSkelet
     uint32_t from, to;
   };
   uint32_t begin = 0;
-  for (uint32_t& count : on_face) {
-    const uint32_t here = begin;
+  for (size_t face = 0; face <= n; ++face) {
+    const uint32_t count = on_face[face];
+    on_face[face] = begin;
+    if (face < n) end[face] = begin;
     begin += count;
-    count = here;
   }
   std::vector<HalfEdge> around(2 * arc_count);
-  std::vector<uint32_t> end(on_face.begin(), on_face.end() - 1);
   for (size_t i = 0; i < arc_count; ++i) {
     around[end[arcs[i].left]++] = {arcs[i].a, arcs[i].b};
     around[end[arcs[i].right]++] = {arcs[i].b, arcs[i].a};
   }
   constexpr uint32_t kNone = 0xffffffff;
-  std::vector<uint32_t> next(nodes, kNone);
+  std::fill(next, next + nodes, kNone);
   for (uint32_t face = 0; face < n; ++face) {
     for (uint32_t i = on_face[face]; i < end[face]; ++i) {
       if (next[around[i].from] != kNone) return "a face touches itself";

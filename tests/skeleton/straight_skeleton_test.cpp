@@ -57,6 +57,28 @@ TEST_CASE("straight skeleton: in general position it has CGAL's nodes and arcs",
   CHECK(compared > 600);
 }
 
+TEST_CASE("straight skeleton: with hundreds of vertices, too, it has CGAL's nodes and arcs",
+          "[skeleton]") {
+  Random random(11);
+  for (int i = 0; i < 24; ++i) {
+    const int n = 90 + random.below(200);
+    const std::vector<std::vector<Vec2>> polygons{
+        randomStar(random, n, 0.7), randomStar(random, n, 0.2), randomBlob(random, n),
+        jittered(random, spiralBand(n / 2, 2, 2.5), 0.01),
+        jittered(random, symmetricStar(random, n / 6, 6), 0.01)};
+    const auto& polygon = polygons[static_cast<size_t>(i) % polygons.size()];
+    if (!isSimple(polygon)) continue;
+    const auto ours = straightSkeletonByWavefront(polygon);
+    const auto theirs = straightSkeletonByCgal(polygon);
+    INFO(i);
+    REQUIRE(ours);
+    REQUIRE(theirs);
+    const double tolerance = 1e-6 * sizeOf(polygon);
+    CHECK(missingFrom(*ours, *theirs, polygon.size(), tolerance) == "");
+    CHECK(missingFrom(*theirs, *ours, polygon.size(), tolerance) == "");
+  }
+}
+
 TEST_CASE("straight skeleton: in degenerate positions it has CGAL's offset polygons",
           "[skeleton]") {
   int compared = 0;
