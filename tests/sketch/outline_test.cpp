@@ -58,9 +58,9 @@ double hausdorff(const Stroke& a, const Stroke& b) {
 }
 
 /// Up to rounding, which may choose other vertices for the polygon on the same smooth curve.
-void requireSame(const Outline& a, const Outline& b) {
+void requireSame(const Outline& a, const Outline& b, double error = 1e-7) {
   const double size = sizeOf(a.dense);
-  REQUIRE(hausdorff(a.dense, b.dense) <= 1e-7 * size);
+  REQUIRE(hausdorff(a.dense, b.dense) <= error * size);
   REQUIRE(hausdorff(a.polygon, b.polygon) <= 5e-4 * size);
   REQUIRE(a.mirror.has_value() == b.mirror.has_value());
 }
@@ -470,7 +470,7 @@ TEST_CASE("outline: real strokes become close polygons of moderate size", "[outl
     }
     REQUIRE(off <= stroke.points.size() / 6);
     requireSame(outlineOf(strokes::reversed(stroke.points)), outline);
-    requireSame(moved(outlineOf(strokes::scaled(stroke.points, 1e4)), 1e-4, {}), outline);
+    requireSame(moved(outlineOf(strokes::scaled(stroke.points, 1e4)), 1e-4, {}), outline, 1e-4);
   }
 }
 
