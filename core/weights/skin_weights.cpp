@@ -28,6 +28,19 @@ void scaleToOne(Influences& influences, size_t count) {
   }
 }
 
+/// Takes from the first ones what is not kept of them, the largest that goes being given, unless
+/// nothing would be left; how many are left.
+size_t fade(Influences& influences, size_t count, double gone) {
+  if (count == 0 || !(shareKept(influences[0].weight, gone) > 0)) return count;
+  size_t left = 0;
+  for (size_t i = 0; i < count; ++i) {
+    influences[i].weight *= shareKept(influences[i].weight, gone);
+    if (influences[i].weight > 0) left = i + 1;
+  }
+  std::fill(influences.begin() + static_cast<std::ptrdiff_t>(left), influences.end(), Influence{});
+  return left;
+}
+
 Influences only(uint32_t bone) {
   Influences influences{};
   influences[0] = {bone, 1};
@@ -45,7 +58,7 @@ Influences largest(std::vector<Influence>& all) {
   Influences influences{};
   size_t count = 0;
   for (; count < all.size() && count < influences.size(); ++count) influences[count] = all[count];
-  scaleToOne(influences, count);
+  scaleToOne(influences, fade(influences, count, count < all.size() ? all[count].weight : 0));
   return influences;
 }
 
@@ -77,12 +90,19 @@ uint32_t nearestBone(const std::vector<Segment>& bones, Vec3 point) {
 
 }  // namespace
 
+double shareKept(double weight, double largest_gone) {
+  constexpr double kMore = 0.1;
+  if (!(weight < (1 + kMore) * largest_gone)) return 1;
+  return std::max(0.0, (weight - largest_gone) / (kMore * largest_gone));
+}
+
 Influences limited(const Influences& influences, size_t most) {
   Influences few{};
   size_t count = std::min(std::max<size_t>(most, 1), influences.size());
   while (count > 0 && influences[count - 1].weight == 0) --count;
   std::copy_n(influences.begin(), count, few.begin());
-  scaleToOne(few, count);
+  const double gone = count < influences.size() ? influences[count].weight : 0;
+  scaleToOne(few, fade(few, count, gone));
   return few;
 }
 

@@ -23,7 +23,13 @@ struct Influence {
 constexpr size_t kMostInfluences = 8;
 using Influences = std::array<Influence, kMostInfluences>;
 
-/// With at most so many influences a vertex: the smallest go, the others grow in proportion.
+/// Where only the largest weights stay: how much of one does, the largest of those that go being
+/// given. From a tenth more on all of it, as much as that nothing. So equal ones, such as those of
+/// twins, stay or go together, and what a vertex follows changes by no jump along the surface.
+double shareKept(double weight, double largest_gone);
+
+/// With at most so many influences a vertex: the smallest go, as much of the others as shareKept
+/// says; what stays grows in proportion. Where all are alike the first ones stay.
 Influences limited(const Influences& influences, size_t most);
 
 struct WeightOptions {

@@ -1,5 +1,6 @@
 #include "weights/skin_weights.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "support/catch.h"
@@ -296,6 +297,53 @@ TEST_CASE("skin weights: limited ones keep the largest") {
   CHECK(one[0].bone == 3);
   CHECK(one[0].weight == 1);
   CHECK(limited(Influences{}, 4)[0].weight == 0);
+}
+
+TEST_CASE("skin weights: of equal ones the limit keeps all or none") {
+  // The fourth and the fifth are those of twins.
+  Influences influences{};
+  const double weights[] = {0.4, 0.2, 0.16, 0.12, 0.12};
+  for (uint32_t i = 0; i < 5; ++i) influences[i] = {i, weights[i]};
+  const Influences few = limited(influences, 4);
+  CHECK(weightOf(few, 3) == 0);
+  CHECK(weightOf(few, 4) == 0);
+  CHECK(weightOf(few, 0) == Approx(0.4 / 0.76));
+  CHECK(weightOf(few, 2) == Approx(0.16 / 0.76));
+  CHECK(faultOf(few, 5) == "");
+  // Where that would leave nothing some stay.
+  for (uint32_t i = 0; i < 5; ++i) influences[i] = {i, 0.2};
+  CHECK(weightOf(limited(influences, 4), 0) == 0.25);
+  CHECK(shareKept(0, 0) == 1);
+}
+
+TEST_CASE("skin weights: a limit changes with the weights by no jump") {
+  Random random(17);
+  for (int run = 0; run < 2000; ++run) {
+    // Some in order, then the last two of them a little the other way round.
+    std::array<double, 6> weights{};
+    for (double& one : weights) one = random.between(0.05, 0.25);
+    weights[0] += 0.2;
+    weights[4] = weights[3];
+    const double little = 1e-7;
+    const auto limitedTo4 = [&](double change) {
+      std::vector<Influence> all;
+      double sum = 0;
+      for (uint32_t i = 0; i < 6; ++i) {
+        all.push_back({i, weights[i] + (i == 3 ? change : i == 4 ? -change : 0)});
+        sum += all.back().weight;
+      }
+      std::sort(all.begin(), all.end(), [](const Influence& a, const Influence& b) {
+        return a.weight != b.weight ? a.weight > b.weight : a.bone < b.bone;
+      });
+      Influences influences{};
+      for (size_t i = 0; i < all.size(); ++i) influences[i] = {all[i].bone, all[i].weight / sum};
+      return limited(influences, 4);
+    };
+    const Influences one = limitedTo4(little), other = limitedTo4(-little);
+    for (uint32_t bone = 0; bone < 6; ++bone) {
+      CHECK(std::fabs(weightOf(one, bone) - weightOf(other, bone)) < 1e-4);
+    }
+  }
 }
 
 TEST_CASE("skin weights: random creatures") {
