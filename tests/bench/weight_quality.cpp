@@ -85,7 +85,7 @@ struct Limbs {
   }
 };
 
-/// The largest weight that a vertex half a limb's width below the slit has of other limbs' bones.
+/// The largest weight that a vertex a limb's width below the slit has of other limbs' bones.
 double leak(const Limbs& limbs) {
   const auto part = buildPart(limbs.stroke());
   if (!part) return 1;
@@ -95,7 +95,7 @@ double leak(const Limbs& limbs) {
   double most = 0;
   for (size_t v = 0; v < weights.size(); ++v) {
     const Vec3 p = part->mesh.positions[v];
-    if (p.y > -limbs.width / 2) continue;
+    if (p.y > -limbs.width) continue;
     double other = 0;
     for (const Influence& one : weights[v]) {
       if (one.bone == 0 || (one.bone - 1) % 3 == 0) continue;
@@ -213,6 +213,18 @@ std::optional<double> twinsDiffer(const Evaluation& evaluation, const Plane& pla
     if (distance(twin->position, image) > 0.01 * size) return {};
     images.push_back(static_cast<uint32_t>(twin - rig.joints.begin()));
   }
+  // A spine across the plane begins at one side: what joints carry there is no mirror image.
+  std::vector<std::vector<uint32_t>> children(rig.joints.size());
+  for (const auto& [parent, child] : rig.bones) children[parent].push_back(child);
+  for (uint32_t joint = 0; joint < images.size(); ++joint) {
+    std::vector<uint32_t> mirrored_children = children[joint];
+    for (uint32_t& child : mirrored_children) child = images[child];
+    const auto& same = children[images[joint]];
+    if (!std::is_permutation(mirrored_children.begin(), mirrored_children.end(), same.begin(),
+                             same.end())) {
+      return {};
+    }
+  }
   options.merged = false;
   const Character character = makeCharacter(evaluation, options);
   if (character.meshes.size() != evaluation.placed().size()) return {};
@@ -245,12 +257,26 @@ std::optional<double> twinsDiffer(const Evaluation& evaluation, const Plane& pla
   return most;
 }
 
+/// What moves the ends of an edge, in words.
+std::string edgeOf(const Rig& rig, const SkinnedMesh& body, const Paint& paint, uint32_t a,
+                   uint32_t b) {
+  std::string text = "of " + paint.name;
+  for (const uint32_t v : {a, b}) {
+    text += v == a ? ": " : " | ";
+    for (size_t k = 0; k < VertexSkin::kMost && body.skin[v].weights[k] > 0; ++k) {
+      text +=
+          rig.joints[body.skin[v].joints[k]].name + " " + rounded(body.skin[v].weights[k]) + ", ";
+    }
+  }
+  return text;
+}
+
 struct Stretched {
   Counted turns;
   Worst worst;
 
   /// Each joint that has bones on both sides is turned by 60°, about z.
-  void add(const std::string& name, const Rig& rig, const Character& character) {
+  void add(const std::string& name, const Rig& rig, const Character& character, bool verbose) {
     if (character.meshes.empty() || character.meshes[0].skin.empty()) return;
     const SkinnedMesh& body = character.meshes[0];
     Box3 box;
@@ -264,15 +290,24 @@ struct Stretched {
       const Pose pose = turned(rig, {}, joint, {0, 0, 0.5, std::sqrt(0.75)});
       skin(body.mesh.positions, body.normals, body.skin, posed(rig, pose), Skinning::linear, moved);
       double most = 0;
-      for (const auto& triangle : body.mesh.triangles) {
+      std::string where;
+      for (size_t t = 0; t < body.mesh.triangles.size(); ++t) {
+        const auto& triangle = body.mesh.triangles[t];
         for (size_t i = 0; i < 3; ++i) {
           const uint32_t a = triangle[i], b = triangle[(i + 1) % 3];
           const double rest = distance(body.mesh.positions[a], body.mesh.positions[b]);
           if (rest < least) continue;
-          most = std::max(most, distance(moved.positions[a], moved.positions[b]) / rest);
+          const double now = distance(moved.positions[a], moved.positions[b]) / rest;
+          if (!(now > most)) continue;
+          most = now;
+          if (verbose) where = edgeOf(rig, body, character.paints[body.paint_of_triangle[t]], a, b);
         }
       }
       turns.add(most > 4);
+      if (verbose && most > 4) {
+        std::fprintf(stderr, "turn %s %s: %s; %s\n", name.c_str(), rig.joints[joint].name.c_str(),
+                     rounded(most).c_str(), where.c_str());
+      }
       worst.add(most, name + ": " + rig.joints[joint].name);
     }
   }
@@ -306,12 +341,7 @@ std::vector<QualityRow> weightQuality(const std::vector<NamedStroke>& drawings, 
     const Character character = makeCharacter(evaluation, options);
     if (!character.weights || character.unpainted.empty()) return;
     Stretched& stretched = evaluation.placed().size() > 1 ? of_parts : of_strokes;
-    const Counted before = stretched.turns;
-    stretched.add(name, rig, character);
-    if (verbose) {
-      std::fprintf(stderr, "turns %s: %zu of %zu\n", name.c_str(),
-                   stretched.turns.hits - before.hits, stretched.turns.all - before.all);
-    }
+    stretched.add(name, rig, character, verbose);
     if (evaluation.placed().size() < 2) return;
     foreign.add(name, evaluation, character, verbose);
     if (!options.symmetry) return;
@@ -329,7 +359,8 @@ std::vector<QualityRow> weightQuality(const std::vector<NamedStroke>& drawings, 
                   foreign.vertices.of() + "; worst " + rounded(foreign.worst.value) + ", " +
                       foreign.worst.where});
   for (const auto& [of, stretched, wanted, longest] :
-       {std::tuple{"creatures", &of_parts, 8.0, 10.0}, {"single strokes", &of_strokes, 1.0, 5.0}}) {
+       {std::tuple{"creatures", &of_parts, 8.0, 10.0},
+        {"single strokes", &of_strokes, 1.0, 10.0}}) {
     const std::string what = std::string(of) + " turned by 60° at a joint: ";
     rows.push_back({what + "an edge over 4 times as long", stretched->turns.percent(), wanted,
                     false, "%", stretched->turns.of()});
