@@ -219,10 +219,10 @@ int run(int argc, char** argv) {
   } else if (what == "model") {
     models(quick, files);
   } else {
-    std::fprintf(
-        stderr,
-        "marrow_bench strokes|stages|growth|cold|rig|model|quality|weights|missed|character [--quick] "
-        "[FILE…]\n");
+    std::fprintf(stderr,
+                 "marrow_bench "
+                 "strokes|stages|growth|cold|rig|model|quality|weights|missed|character [--quick] "
+                 "[FILE…]\n");
     return 2;
   }
   return 0;
