@@ -228,6 +228,7 @@ class Maker {
     if (rig.bones.empty() || made_.meshes.empty()) return;
     if (options_.symmetry) {
       weighting.volume.centre = options_.symmetry->normal * -options_.symmetry->offset;
+      weighting.symmetry = options_.symmetry;
     }
     const Mesh& merged = made_.merged.mesh;
     const auto field = WeightField::make(merged, boneSegments(rig), weighting, progress, clock_);

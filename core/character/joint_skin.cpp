@@ -38,7 +38,14 @@ VertexSkin skinOf(JointWeights joints) {
   std::sort(joints.begin(), joints.end(), [](const JointWeight& a, const JointWeight& b) {
     return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
   });
-  joints.resize(std::min(joints.size(), VertexSkin::kMost));
+  if (joints.size() > VertexSkin::kMost) {
+    const double gone = joints[VertexSkin::kMost].weight;
+    joints.resize(VertexSkin::kMost);
+    if (shareKept(joints[0].weight, gone) > 0) {
+      for (JointWeight& one : joints) one.weight *= shareKept(one.weight, gone);
+      while (!(joints.back().weight > 0)) joints.pop_back();
+    }
+  }
   double sum = 0;
   for (const JointWeight& one : joints) sum += one.weight;
   VertexSkin skin;

@@ -13,7 +13,7 @@ namespace marrow {
 /// The weights of bones as those of the joints that they leave.
 std::vector<JointWeights> jointWeights(const std::vector<Influences>& influences, const Rig& rig);
 
-/// The largest few; none: the first joint.
+/// The largest few, equal ones all or none (see shareKept); none: the first joint.
 VertexSkin skinOf(JointWeights weights);
 
 }  // namespace marrow

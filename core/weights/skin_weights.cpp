@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/box.h"
+
 namespace marrow {
 namespace {
 
@@ -28,6 +30,19 @@ void scaleToOne(Influences& influences, size_t count) {
   }
 }
 
+/// Takes from the first ones what is not kept of them, the largest that goes being given, unless
+/// nothing would be left; how many are left.
+size_t fade(Influences& influences, size_t count, double gone) {
+  if (count == 0 || !(shareKept(influences[0].weight, gone) > 0)) return count;
+  size_t left = 0;
+  for (size_t i = 0; i < count; ++i) {
+    influences[i].weight *= shareKept(influences[i].weight, gone);
+    if (influences[i].weight > 0) left = i + 1;
+  }
+  std::fill(influences.begin() + static_cast<std::ptrdiff_t>(left), influences.end(), Influence{});
+  return left;
+}
+
 Influences only(uint32_t bone) {
   Influences influences{};
   influences[0] = {bone, 1};
@@ -45,7 +60,7 @@ Influences largest(std::vector<Influence>& all) {
   Influences influences{};
   size_t count = 0;
   for (; count < all.size() && count < influences.size(); ++count) influences[count] = all[count];
-  scaleToOne(influences, count);
+  scaleToOne(influences, fade(influences, count, count < all.size() ? all[count].weight : 0));
   return influences;
 }
 
@@ -63,6 +78,36 @@ std::vector<Vec3> normalsOf(const Mesh& mesh) {
   return vertexNormals(sound);
 }
 
+/// Per bone the one that is its mirror image, to a hundredth of the size of all; no bone's number
+/// where none is, or several are.
+std::vector<uint32_t> mirrorImages(const std::vector<Segment>& bones, const Plane& plane) {
+  Box3 box;
+  for (const auto& [a, b] : bones) {
+    if (isFinite(a)) box.include(a);
+    if (isFinite(b)) box.include(b);
+  }
+  const double near = box.isEmpty() ? 0 : 0.01 * distance(box.low, box.high);
+  const uint32_t count = static_cast<uint32_t>(bones.size());
+  std::vector<uint32_t> images(count, count);
+  for (uint32_t bone = 0; bone < count; ++bone) {
+    const Vec3 a = mirrored(bones[bone][0], plane), b = mirrored(bones[bone][1], plane);
+    double best = HUGE_VAL;
+    for (uint32_t other = 0; other < count; ++other) {
+      const auto& [c, d] = bones[other];
+      const double off = std::min(std::max(distance(c, a), distance(d, b)),
+                                  std::max(distance(c, b), distance(d, a)));
+      if (!(off <= near && off < best)) continue;
+      best = off;
+      images[bone] = other;
+    }
+  }
+  std::vector<uint32_t> mutual = images;
+  for (uint32_t bone = 0; bone < count; ++bone) {
+    if (images[bone] < count && images[images[bone]] != bone) mutual[bone] = count;
+  }
+  return mutual;
+}
+
 uint32_t nearestBone(const std::vector<Segment>& bones, Vec3 point) {
   uint32_t nearest = 0;
   double best = HUGE_VAL;
@@ -77,12 +122,46 @@ uint32_t nearestBone(const std::vector<Segment>& bones, Vec3 point) {
 
 }  // namespace
 
+/// Weights of bones, to be summed up in any order.
+class WeightSums {
+ public:
+  explicit WeightSums(size_t bones) : sums_(bones, 0), seen_(bones, 0) {}
+
+  void add(uint32_t bone, double weight) {
+    if (!seen_[bone]) bones_.push_back(bone);
+    seen_[bone] = 1;
+    sums_[bone] += weight;
+  }
+  /// All that were added, and begins anew.
+  void take(std::vector<Influence>& weights) {
+    weights.clear();
+    for (const uint32_t bone : bones_) {
+      weights.push_back({bone, sums_[bone]});
+      sums_[bone] = 0;
+      seen_[bone] = 0;
+    }
+    bones_.clear();
+  }
+
+ private:
+  std::vector<double> sums_;
+  std::vector<uint8_t> seen_;
+  std::vector<uint32_t> bones_;
+};
+
+double shareKept(double weight, double largest_gone) {
+  constexpr double kMore = 0.5;
+  if (!(weight < (1 + kMore) * largest_gone)) return 1;
+  return std::max(0.0, (weight - largest_gone) / (kMore * largest_gone));
+}
+
 Influences limited(const Influences& influences, size_t most) {
   Influences few{};
   size_t count = std::min(std::max<size_t>(most, 1), influences.size());
   while (count > 0 && influences[count - 1].weight == 0) --count;
   std::copy_n(influences.begin(), count, few.begin());
-  scaleToOne(few, count);
+  const double gone = count < influences.size() ? influences[count].weight : 0;
+  scaleToOne(few, fade(few, count, gone));
   return few;
 }
 
@@ -105,6 +184,10 @@ Result<WeightField> WeightField::make(const Mesh& body, const std::vector<Segmen
   if (!volume) return volume.error();
   field.volume_ = std::move(*volume);
   field.bone_count_ = bones.size();
+  if (options.symmetry) {
+    field.symmetry_ = options.symmetry;
+    field.images_ = mirrorImages(bones, *options.symmetry);
+  }
   watch.lap("volume");
   field.handles_ = makeHandles(field.volume_, bones);
   watch.lap("handles");
@@ -211,13 +294,44 @@ uint32_t WeightField::nearestVertex(Vec3 point) const {
   return nearest;
 }
 
+/// The mean with what the mirror image of a point has, as far as bones have mirror images.
+void WeightField::addMirrored(Vec3 point, Vec3 inward, std::vector<Influence>& weights,
+                              WeightSums& sums) const {
+  constexpr int kReach = 1;  // voxels: farther from the body it is not its own mirror image
+  const auto place =
+      volume_.locate(mirrored(point, *symmetry_), mirrored(inward, *symmetry_), kReach);
+  if (!place) return;
+  const auto imageOf = [&](uint32_t bone) { return images_[bone]; };
+  double paired = 0, lonely = 0;
+  for (size_t corner = 0; corner < 8; ++corner) {
+    const uint32_t vertex = volume_.cells[place->cell][corner];
+    for (const Influence* one = begin(vertex); one != end(vertex); ++one) {
+      (imageOf(one->bone) < bone_count_ ? paired : lonely) += place->shares[corner] * one->weight;
+    }
+  }
+  for (const Influence& one : weights) {
+    if (imageOf(one.bone) >= bone_count_) lonely += one.weight;
+  }
+  const double share = 0.5 * std::max(0.0, 1 - lonely);
+  if (!(share > 0 && paired > 0)) return;
+  for (const Influence& one : weights) sums.add(one.bone, (1 - share) * one.weight);
+  for (size_t corner = 0; corner < 8; ++corner) {
+    const uint32_t vertex = volume_.cells[place->cell][corner];
+    for (const Influence* one = begin(vertex); one != end(vertex); ++one) {
+      const uint32_t image = imageOf(one->bone);
+      if (image >= bone_count_) continue;
+      sums.add(image, share * (place->shares[corner] * one->weight / paired));
+    }
+  }
+  sums.take(weights);
+}
+
 std::vector<Influences> WeightField::at(const Mesh& mesh) const {
   std::vector<Influences> all(mesh.positions.size(), Influences{});
   if (bone_count_ == 0) return all;
   constexpr double kBelow = 0.2;  // of the spacing: where a point of the surface is surely inside
   const std::vector<Vec3> normals = normalsOf(mesh);
-  std::vector<double> sums(bone_count_, 0);
-  std::vector<uint8_t> seen(bone_count_, 0);
+  WeightSums sums(bone_count_);
   std::vector<Influence> found;
   for (size_t i = 0; i < mesh.positions.size(); ++i) {
     const Vec3 p = mesh.positions[i];
@@ -235,20 +349,14 @@ std::vector<Influences> WeightField::at(const Mesh& mesh) const {
       corners[0] = nearestVertex(p);
       shares[0] = 1;
     }
-    found.clear();
     for (size_t corner = 0; corner < 8; ++corner) {
       if (shares[corner] == 0) continue;
       for (const Influence* one = begin(corners[corner]); one != end(corners[corner]); ++one) {
-        if (!seen[one->bone]) found.push_back({one->bone, 0});
-        seen[one->bone] = 1;
-        sums[one->bone] += shares[corner] * one->weight;
+        sums.add(one->bone, shares[corner] * one->weight);
       }
     }
-    for (Influence& one : found) {
-      one.weight = sums[one.bone];
-      sums[one.bone] = 0;
-      seen[one.bone] = 0;
-    }
+    sums.take(found);
+    if (symmetry_) addMirrored(p, inward, found, sums);
     all[i] = found.empty() ? only(0) : largest(found);
   }
   return all;

@@ -4,8 +4,10 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "base/frame.h"
 #include "base/timing.h"
 #include "weights/biharmonic.h"
 #include "weights/handles.h"
@@ -23,12 +25,22 @@ struct Influence {
 constexpr size_t kMostInfluences = 8;
 using Influences = std::array<Influence, kMostInfluences>;
 
-/// With at most so many influences a vertex: the smallest go, the others grow in proportion.
+/// Where only the largest weights stay: how much of one does, the largest of those that go being
+/// given. From half as much again on all of it, as much as that nothing. So equal ones, such as
+/// those of twins, stay or go together, and what a vertex follows changes by no jump along the
+/// surface.
+double shareKept(double weight, double largest_gone);
+
+/// With at most so many influences a vertex: the smallest go, as much of the others as shareKept
+/// says; what stays grows in proportion. Where all are alike the first ones stay.
 Influences limited(const Influences& influences, size_t most);
 
 struct WeightOptions {
   VolumeOptions volume;
   BiharmonicOptions biharmonic;
+  /// A plane of symmetry: where the body is its own mirror image across it, weights are the mean of
+  /// those of both sides. Bones that have no mirror image keep what they have.
+  std::optional<Plane> symmetry;
 };
 
 /// For the time until the weights are there: a coarse volume and no bounds, cut off and brought to
@@ -37,6 +49,8 @@ WeightOptions quickWeightOptions();
 
 /// Gets how much is done, 0 … 1; what it returns says whether to go on.
 using WeightProgress = std::function<bool(double done)>;
+
+class WeightSums;
 
 /// The weights all through a body, so that any mesh in it gets the same ones: the whole character,
 /// or its parts.
@@ -68,8 +82,12 @@ class WeightField {
   void fillLoosePieces(const std::vector<Segment>& bones);
   std::vector<uint32_t> nearestHandles() const;
   uint32_t nearestVertex(Vec3 point) const;
+  void addMirrored(Vec3 point, Vec3 inward, std::vector<Influence>& weights,
+                   WeightSums& sums) const;
 
   Volume volume_;
+  std::optional<Plane> symmetry_;
+  std::vector<uint32_t> images_;  // per bone: its mirror image; no bone's number where it has none
   Handles handles_;
   size_t bone_count_ = 0;
   std::vector<uint32_t> starts_;  // per vertex of the volume: its influences, bones ascending

@@ -18,13 +18,16 @@ constexpr uint64_t kLowX = 0x1111111111111111, kHighX = kLowX << 3;
 constexpr uint64_t kLowY = 0x000f000f000f000f, kHighY = kLowY << 12;
 constexpr uint64_t kLowZ = 0x000000000000ffff, kHighZ = kLowZ << 48;
 
-/// The voxels of `inside` that can be reached from its lowest bit, through faces.
-uint64_t flood(uint64_t inside) {
+/// The voxels of a cube that can be reached from its lowest one that is inside, through faces that
+/// are no walls.
+uint64_t flood(uint64_t inside, const Voxels& voxels, size_t cube) {
+  const uint64_t x = ~(voxels.walls[0][cube] | kHighX), y = ~(voxels.walls[1][cube] | kHighY),
+                 z = ~voxels.walls[2][cube];
   uint64_t reached = inside & (~inside + 1), before = 0;
   while (reached != before) {
     before = reached;
-    reached |= (reached & ~kHighX) << 1 | (reached & ~kLowX) >> 1 | (reached & ~kHighY) << 4 |
-               (reached & ~kLowY) >> 4 | reached << 16 | reached >> 16;
+    reached |= (reached & x) << 1 | (reached >> 1 & x) | (reached & y) << 4 | (reached >> 4 & y) |
+               (reached & z) << 16 | (reached >> 16 & z);
     reached &= inside;
   }
   return reached;
@@ -62,23 +65,25 @@ void glue(uint32_t a, uint32_t b, uint32_t axis, Sets& corners) {
 /// Calls found(cell, next, axis) for all cells that touch a neighbour's voxels, the neighbour being
 /// the next along the axis: 1, 2 or 4 for x, y or z.
 template <typename Found>
-void forNeighbours(const Volume& volume, Found&& found) {
+void forNeighbours(const Volume& volume, const Voxels& voxels, Found&& found) {
   struct Side {
+    const std::vector<uint64_t>& walls;
     size_t cube;  // how far the neighbour is
     uint32_t axis;
     int shift;
     uint64_t low, high;
   };
   const size_t row = static_cast<size_t>(volume.nx), layer = row * static_cast<size_t>(volume.ny);
-  const Side sides[] = {
-      {1, 1, 3, kLowX, kHighX}, {row, 2, 12, kLowY, kHighY}, {layer, 4, 48, kLowZ, kHighZ}};
+  const Side sides[] = {{voxels.walls[0], 1, 1, 3, kLowX, kHighX},
+                        {voxels.walls[1], row, 2, 12, kLowY, kHighY},
+                        {voxels.walls[2], layer, 4, 48, kLowZ, kHighZ}};
   const size_t cubes = volume.starts.size() - 1;
   for (size_t cube = 0; cube < cubes; ++cube) {
     for (uint32_t cell = volume.starts[cube]; cell < volume.starts[cube + 1]; ++cell) {
       // The outermost cubes are empty: nobody's neighbour is on the other side of the grid.
       for (const Side& side : sides) {
         const size_t beside = cube + side.cube;
-        const uint64_t face = (volume.masks[cell] & side.high) >> side.shift;
+        const uint64_t face = (volume.masks[cell] & side.high & ~side.walls[cube]) >> side.shift;
         if (!face || beside >= cubes) continue;
         for (uint32_t next = volume.starts[beside]; next < volume.starts[beside + 1]; ++next) {
           if (face & volume.masks[next] & side.low) found(cell, next, side.axis);
@@ -97,10 +102,10 @@ Volume splitCubes(const Voxels& voxels) {
   volume.ny = voxels.ny;
   volume.nz = voxels.nz;
   volume.starts.reserve(voxels.masks.size() + 1);
-  for (uint64_t inside : voxels.masks) {
+  for (size_t cube = 0; cube < voxels.masks.size(); ++cube) {
     volume.starts.push_back(static_cast<uint32_t>(volume.masks.size()));
-    while (inside) {
-      volume.masks.push_back(flood(inside));
+    for (uint64_t inside = voxels.masks[cube]; inside;) {
+      volume.masks.push_back(flood(inside, voxels, cube));
       inside &= ~volume.masks.back();
     }
   }
@@ -115,11 +120,12 @@ int bitsOf(uint64_t mask) {
 }
 
 /// Takes away the cells of pieces of hardly any voxels, which break off sharp edges; not the last.
-void dropCrumbs(Volume& volume) {
+void dropCrumbs(const Voxels& voxels, Volume& volume) {
   constexpr int kCrumb = 16;  // voxels, a quarter of a cell
   const uint32_t count = static_cast<uint32_t>(volume.masks.size());
   Sets pieces(count);
-  forNeighbours(volume, [&](uint32_t cell, uint32_t next, uint32_t) { pieces.unite(cell, next); });
+  forNeighbours(volume, voxels,
+                [&](uint32_t cell, uint32_t next, uint32_t) { pieces.unite(cell, next); });
   std::vector<int> sizes(count, 0);
   for (uint32_t cell = 0; cell < count; ++cell) {
     sizes[pieces.find(cell)] += bitsOf(volume.masks[cell]);
@@ -138,10 +144,10 @@ void dropCrumbs(Volume& volume) {
 
 Volume meshOfCells(const Voxels& voxels) {
   Volume volume = splitCubes(voxels);
-  dropCrumbs(volume);
+  dropCrumbs(voxels, volume);
   const uint32_t cell_count = static_cast<uint32_t>(volume.masks.size());
   Sets corners(8 * size_t{cell_count}), pieces(cell_count);
-  forNeighbours(volume, [&](uint32_t cell, uint32_t next, uint32_t axis) {
+  forNeighbours(volume, voxels, [&](uint32_t cell, uint32_t next, uint32_t axis) {
     glue(cell, next, axis, corners);
     pieces.unite(cell, next);
   });
@@ -260,7 +266,7 @@ Result<Volume> makeVolume(const Mesh& mesh, const VolumeOptions& options) {
   return volume;
 }
 
-std::optional<Volume::Place> Volume::locate(Vec3 point, Vec3 inward) const {
+std::optional<Volume::Place> Volume::locate(Vec3 point, Vec3 inward, int reach) const {
   const double voxel = spacing / kPer;
   const Vec3 at = (inward - origin) / voxel;
   const double far = kPer * 1024;
@@ -269,7 +275,6 @@ std::optional<Volume::Place> Volume::locate(Vec3 point, Vec3 inward) const {
   }
   const int x = static_cast<int>(std::floor(at.x)), y = static_cast<int>(std::floor(at.y)),
             z = static_cast<int>(std::floor(at.z));
-  constexpr int kReach = 2 * kPer;
   double best = HUGE_VAL;
   uint32_t found = 0;
   const auto look = [&](int vx, int vy, int vz) {
@@ -289,7 +294,7 @@ std::optional<Volume::Place> Volume::locate(Vec3 point, Vec3 inward) const {
     }
   };
   // Shells around the voxel, till none can hold a nearer one.
-  for (int r = 0; r <= kReach; ++r) {
+  for (int r = 0; r <= reach; ++r) {
     const double nearest = r - 0.5;
     if (r > 0 && best < nearest * nearest) break;
     for (int dz = -r; dz <= r; ++dz) {

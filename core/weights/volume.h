@@ -33,10 +33,10 @@ struct Volume {
     uint32_t cell = 0;
     std::array<double, 8> shares{};  // not negative, sum 1
   };
-  /// The place of the point, or of the nearest part of the body within about two cells. Between two
-  /// sheets it is the one that holds `inward`, a point below the surface there. Of a point farther
-  /// away, and of one that is not finite: none.
-  std::optional<Place> locate(Vec3 point, Vec3 inward) const;
+  /// The place of the point, or of the nearest part of the body within `reach` voxels, quarters of
+  /// the spacing. Between two sheets it is the one that holds `inward`, a point below the surface
+  /// there. Of a point farther away, and of one that is not finite: none.
+  std::optional<Place> locate(Vec3 point, Vec3 inward, int reach = 8) const;
   std::optional<Place> locate(Vec3 point) const { return locate(point, point); }
 
   // For locate: the grid of cubes, the cells of each, and the voxels of each cell.

@@ -1,6 +1,7 @@
 // The inside of a closed mesh on a regular grid of cells, each of 4 × 4 × 4 voxels.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct Voxels {
   Vec3 origin;                  // lowest corner of the grid
   int nx = 0, ny = 0, nz = 0;   // cells
   std::vector<uint64_t> masks;  // of cell x + nx (y + ny z)
+  /// Along x, y and z: the voxels between whose centre and the next one's the body ends and begins
+  /// again. Two such voxels do not touch, however narrow the gap.
+  std::array<std::vector<uint64_t>, 3> walls;
 
   size_t cell(int x, int y, int z) const {
     return static_cast<size_t>(x) +
@@ -32,10 +36,10 @@ struct Voxels {
 
 /// A voxel is inside where the mesh winds around its centre, so that several closed meshes in one
 /// count as their union; where the body is thinner than about two voxels, those that its surface
-/// goes through are too, so that nothing falls apart. Gaps of two voxels stay open. `centre` is a
-/// corner of cells. Triangles with corners that are missing or not finite are left out; so are
-/// columns of voxels that the mesh does not close. Empty without triangles. O(triangles + voxels
-/// they cover + cells).
+/// goes through are too, so that nothing falls apart. Gaps of any width stay open, as walls between
+/// voxels where they are narrower than those. `centre` is a corner of cells. Triangles with corners
+/// that are missing or not finite are left out; so are columns of voxels that the mesh does not
+/// close. Empty without triangles. O(triangles + voxels they cover + cells).
 Voxels voxelise(const Mesh& mesh, double spacing, Vec3 centre);
 
 }  // namespace marrow

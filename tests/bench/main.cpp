@@ -6,6 +6,7 @@
 //   cold       the first calls in this process
 //   rig        whole characters: to the rig, opened, dragged, refined; FILEs are documents
 //   quality    how good rigs are; the same on every machine; FILEs are strokes in place of ours
+//   weights    of these, the rows of skin weights alone; what is bad, on the standard error
 //   missed     of the joints that people place, those that rigs lack, on the standard error
 //   model      characters merged, weighted, posed and written; FILEs are documents
 //   character  the document of 60 strokes that is dragged and refined
@@ -211,15 +212,17 @@ int run(int argc, char** argv) {
     rigs(quick, files);
   } else if (what == "quality") {
     quality(files);
+  } else if (what == "weights") {
+    weights();
   } else if (what == "missed") {
     missedJoints();
   } else if (what == "model") {
     models(quick, files);
   } else {
-    std::fprintf(
-        stderr,
-        "marrow_bench strokes|stages|growth|cold|rig|model|quality|missed|character [--quick] "
-        "[FILE…]\n");
+    std::fprintf(stderr,
+                 "marrow_bench "
+                 "strokes|stages|growth|cold|rig|model|quality|weights|missed|character [--quick] "
+                 "[FILE…]\n");
     return 2;
   }
   return 0;

@@ -3,6 +3,7 @@
 #include "bench/creatures.h"
 #include "bench/placed_joints.h"
 #include "bench/skeleton_quality.h"
+#include "bench/weight_quality.h"
 
 namespace marrow::bench {
 namespace {
@@ -33,6 +34,7 @@ void quality(const std::vector<std::string>& paths) {
   if (paths.empty()) {
     printQuality(placedJoints());
     printQuality(skeletonQuality(ourDrawings()));
+    printQuality(weightQuality(ourDrawings()));
     return;
   }
   std::vector<strokes::NamedStroke> drawings;
@@ -42,5 +44,7 @@ void quality(const std::vector<std::string>& paths) {
   }
   printQuality(skeletonQuality(drawings, true));
 }
+
+void weights() { printQuality(weightQuality(ourDrawings(), true)); }
 
 }  // namespace marrow::bench

@@ -24,4 +24,7 @@ void printQuality(const std::vector<QualityRow>& rows);
 /// and what is worst to the standard error.
 void quality(const std::vector<std::string>& paths);
 
+/// The rows of skin weights alone, and what is bad to the standard error.
+void weights();
+
 }  // namespace marrow::bench

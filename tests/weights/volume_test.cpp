@@ -141,6 +141,31 @@ TEST_CASE("volume: limbs that come near in space are not glued") {
   }
 }
 
+TEST_CASE("volume: limbs with a hairline between them are not glued, however they lie") {
+  Random random(5);
+  for (const double gap : {0.02, 0.3, 1.0}) {
+    for (int run = 0; run < 6; ++run) {
+      INFO("gap " << gap << ", run " << run);
+      const auto map = randomSimilarity(random);
+      const auto place = [&](Vec3 p) { return run == 0 ? p : map(p); };
+      const auto volume = makeVolume(mapped(fork(gap), place), about(1000));
+      REQUIRE(volume);
+      const double size = distance(place({0, 0, 0}), place({1, 0, 0}));
+      REQUIRE(volume->spacing > 3.5 * gap * size);
+      const uint32_t a = vertexAt(*volume, place({98, 7, 5}));
+      const uint32_t b = vertexAt(*volume, place({98, 13 + gap, 5}));
+      CHECK(wayBetween(*volume, a, b) > 2 * 85 * size / volume->spacing);
+      CHECK(volume->piece_count == 1);
+    }
+  }
+}
+
+TEST_CASE("volume: bodies with a hairline between them are pieces of their own") {
+  Mesh bodies = box({0, 0, 0}, {10, 10, 10});
+  append(bodies, box({10.01, 2, 2}, {20, 8, 8}));
+  CHECK(makeVolume(bodies)->piece_count == 2);
+}
+
 TEST_CASE("volume: thin limbs do not fall apart") {
   for (const double radius : {0.3, 1.0, 2.0}) {
     Mesh body = box({-20, -20, -20}, {20, 20, 20});
