@@ -7,6 +7,7 @@
 //   rig        whole characters: to the rig, opened, dragged, refined; FILEs are documents
 //   quality    how good rigs are; the same on every machine; FILEs are strokes in place of ours
 //   missed     of the joints that people place, those that rigs lack, on the standard error
+//   connected  of parts that overlap, which are not put together as an animator would, likewise
 //   model      characters merged, weighted, posed and written; FILEs are documents
 //   character  the document of 60 strokes that is dragged and refined
 #include <cstdio>
@@ -15,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/chordal_axis.h"
+#include "bench/connect_quality.h"
 #include "bench/inputs.h"
 #include "bench/measure.h"
 #include "bench/models.h"
@@ -213,12 +215,15 @@ int run(int argc, char** argv) {
     quality(files);
   } else if (what == "missed") {
     missedJoints();
+  } else if (what == "connected") {
+    printQuality(connectQuality(true));
   } else if (what == "model") {
     models(quick, files);
   } else {
     std::fprintf(
         stderr,
-        "marrow_bench strokes|stages|growth|cold|rig|model|quality|missed|character [--quick] "
+        "marrow_bench strokes|stages|growth|cold|rig|model|quality|missed|connected|character "
+        "[--quick] "
         "[FILE…]\n");
     return 2;
   }
