@@ -266,8 +266,8 @@ PartedCreature octopus(Random& random, bool limbs_first) {
           {{0.4 * r, 0.75 * r, draw.near(0, 10)}, 0, kAcrossX}, "Body");
   all.add("Eye", draw.ellipse(draw.about(17), draw.about(17)),
           {{0.4 * r + 12, 0.75 * r + 78, draw.near(0, 4)}, 0, kAcrossX}, "Stalk");
-  all.add("Hat", draw.limb({draw.near(-150, 10), draw.near(30, 20)}, draw.about(16), 1),
-          {{70, r * 0.93, 10}}, "Body");
+  all.add("Belt", draw.limb({draw.near(-150, 10), draw.near(30, 20)}, draw.about(16), 1),
+          {{70, 0.1 * r, 0.8 * r}}, "Body");
   return all.done("octopus");
 }
 
