@@ -8,6 +8,9 @@ namespace {
 // Columns along each side of where the boxes meet, and points in each column. Multiples of eight
 // never fall on a border between two places of the relief's lattice, where rounding would decide.
 constexpr int kColumns = 16, kDeep = 4;
+// For how much it is, so many are enough where it is more than this.
+constexpr int kFewColumns = 8, kFewDeep = 2;
+constexpr double kPlenty = 0.05;
 // Columns along each side of a body for its volume.
 constexpr int kVolumeColumns = 24;
 
@@ -70,7 +73,8 @@ Box3 PartBody::boxSeenBy(const PartBody& other) const {
 /// Calls visit with points that both bodies have, and with how much volume each stands for, in
 /// units of the smaller body's plane; gives the share of the smaller body.
 template <typename Visit>
-double visitShared(const PartBody& one, const PartBody& other, const Visit& visit) {
+double visitShared(const PartBody& one, const PartBody& other, int columns, int deep,
+                   const Visit& visit) {
   const bool swap = other.volume_ < one.volume_;
   const PartBody &small = swap ? other : one, &large = swap ? one : other;
   if (!(small.volume_ > 0)) return 0;
@@ -88,15 +92,15 @@ double visitShared(const PartBody& one, const PartBody& other, const Visit& visi
   const Vec3 x = large.toLocal(small.origin_ + small.x_) - origin;
   const Vec3 y = large.toLocal(small.origin_ + small.y_) - origin;
   const Vec3 z = large.toLocal(small.origin_ + small.z_) - origin;
-  const Vec2 cell{box.size().x / kColumns, box.size().y / kColumns};
+  const Vec2 cell{box.size().x / columns, box.size().y / columns};
   double shared = 0;
-  for (int i = 0; i < kColumns; ++i) {
-    for (int j = 0; j < kColumns; ++j) {
+  for (int i = 0; i < columns; ++i) {
+    for (int j = 0; j < columns; ++j) {
       const Vec2 at{box.low.x + (i + 0.5) * cell.x, box.low.y + (j + 0.5) * cell.y};
       const double low = std::max(small.relief_.depthAt(at) * small.thickness_, box.low.z);
       const double high = std::min(small.relief_.heightAt(at) * small.thickness_, box.high.z);
       if (!(high > low)) continue;
-      const double step = (high - low) / kDeep;
+      const double step = (high - low) / deep;
       const double piece = cell.x * cell.y * step;
       const Vec3 foot = origin + x * at.x + y * at.y;
       const Vec3 from = foot + z * low, to = foot + z * high;
@@ -104,7 +108,7 @@ double visitShared(const PartBody& one, const PartBody& other, const Visit& visi
       column.low = least(from, to);
       column.high = most(from, to);
       if (!column.meets(others)) continue;
-      for (int k = 0; k < kDeep; ++k) {
+      for (int k = 0; k < deep; ++k) {
         const double height = low + (k + 0.5) * step;
         if (!large.containsLocal(foot + z * height)) continue;
         shared += piece;
@@ -120,7 +124,7 @@ BodyOverlap bodyOverlap(const PartBody& one, const PartBody& other) {
   BodyOverlap overlap;
   double shared = 0;
   Vec3 moment;
-  overlap.share = visitShared(one, other, [&](Vec3 p, double piece) {
+  overlap.share = visitShared(one, other, kColumns, kDeep, [&](Vec3 p, double piece) {
     shared += piece;
     moment = moment + p * piece;
     overlap.points.push_back(p);
@@ -130,7 +134,9 @@ BodyOverlap bodyOverlap(const PartBody& one, const PartBody& other) {
 }
 
 double sharedVolume(const PartBody& one, const PartBody& other) {
-  return visitShared(one, other, [](Vec3, double) {});
+  const auto nothing = [](Vec3, double) {};
+  const double share = visitShared(one, other, kFewColumns, kFewDeep, nothing);
+  return share > kPlenty ? share : visitShared(one, other, kColumns, kDeep, nothing);
 }
 
 }  // namespace marrow

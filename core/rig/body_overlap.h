@@ -24,7 +24,8 @@ class PartBody {
 
  private:
   template <typename Visit>
-  friend double visitShared(const PartBody& one, const PartBody& other, const Visit& visit);
+  friend double visitShared(const PartBody& one, const PartBody& other, int columns, int deep,
+                            const Visit& visit);
 
   Vec3 toLocal(Vec3 world) const {
     const Vec3 d = world - origin_;
@@ -52,10 +53,10 @@ struct BodyOverlap {
   std::vector<Vec3> points;  // some of it, evenly spread; none where the bodies do not meet
 };
 
-/// Good to some hundredths of what is shared, and to a twelfth of where the boxes of the bodies
-/// meet. The same in both orders but for rounding. O(points): some hundreds where the boxes meet.
+/// Good to some hundredths of what is shared, and to a sixteenth of where the boxes of the bodies
+/// meet. The same in both orders but for rounding. O(points): a thousand where the boxes meet.
 BodyOverlap bodyOverlap(const PartBody& one, const PartBody& other);
-/// The share alone.
+/// The share alone, to a tenth where that is plenty.
 double sharedVolume(const PartBody& one, const PartBody& other);
 
 }  // namespace marrow
