@@ -6,8 +6,8 @@
 namespace marrow {
 
 /// The four thresholds, in units at the reference perimeter of the root part of a tree (ε_s: of the
-/// part itself). Unset: the next wider scope's: a branch's ε_s, then its part's, then the model's,
-/// then the default.
+/// part that nobody holds, whichever the user made the root). Unset: the next wider scope's: a
+/// branch's ε_s, then its part's, then the model's, then the default.
 struct Refinement {
   static constexpr double kSimplify = 5, kMerge = 30, kPrune = 30, kCollapse = 10;
   static constexpr double kLargest = 2000;  // and 0 the smallest

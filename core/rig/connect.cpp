@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <unordered_map>
+#include <utility>
 
-#include "base/box.h"
-#include "rig/body_overlap.h"
+#include "rig/attach_place.h"
 
 namespace marrow {
 namespace {
@@ -17,135 +19,22 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kTie = 1e-9;
 // By this share of the smaller radius.
 constexpr double kPlainlyAway = 1;
-// Bones whose directions differ by a smaller sine are parallel: measured at their ends alone.
-constexpr double kParallel = 1e-5;
+// Of two that could hold a child, what a share of the smaller volume in common counts for against
+// depth relative to the radius.
+constexpr double kShareWeight = 0.5;
+// A body is as many times as large as the limbs that were drawn before it; less will do for what is
+// as many times as long as thick. A single one is taken for a limb only where it is far smaller: a
+// neck that was drawn before the head holds that.
+constexpr double kPlainlyLarger = 4, kLargerThanSlender = 1.5, kSlender = 2.5, kFarLarger = 12;
 
-/// The box around a part's body in space.
-Box3 bodyBox(const RigPart& part) {
-  Box3 box;
-  const Relief& relief = part.part->relief;
-  const double high = relief.highest() * part.source->thickness;
-  const double low = relief.lowest() * part.source->thickness;
-  for (int corner = 0; corner < 8; ++corner) {
-    box.include(part.placed->frame.toWorld(Vec3{corner & 1 ? relief.high().x : relief.low().x,
-                                                corner & 2 ? relief.high().y : relief.low().y,
-                                                corner & 4 ? high : low}));
+/// How long a part is against its thickness.
+double slendernessOf(const RigPart& part) {
+  double length = 0, radius = 0;
+  for (const auto& branch : part.part->skeleton.branches) {
+    length = std::max(length, branch.length());
+    for (const BranchSample& sample : branch.samples) radius = std::max(radius, sample.radius);
   }
-  return box;
-}
-
-/// A part's balls and cones in space.
-struct Proxy {
-  bool exists = false;
-  bool holds = false;  // has bones that something can hang on
-  std::vector<Vec3> points;
-  std::vector<double> radii;
-  const PartSkeleton* skeleton = nullptr;
-  Box3 box, body;   // around them, and around the part's body
-  double size = 0;  // of the box
-
-  bool isEnd(size_t joint) const { return skeleton->joints[joint].kind != JointKind::sleeve; }
-};
-
-Proxy proxyOf(const RigPart& part) {
-  Proxy proxy;
-  if (!part.part || part.part->skeleton.bones.empty()) return proxy;
-  proxy.exists = true;
-  proxy.holds = part.source->skeleton;
-  proxy.skeleton = &part.part->skeleton;
-  proxy.body = bodyBox(part);
-  const Frame& frame = part.placed->frame;
-  const double scale = frame.scale();
-  const auto& joints = proxy.skeleton->joints;
-  proxy.points.reserve(joints.size());
-  proxy.radii.reserve(joints.size());
-  for (const auto& joint : joints) {
-    const Vec3 p = frame.toWorld(joint.place());
-    const double r = joint.radius * scale;
-    proxy.points.push_back(p);
-    proxy.radii.push_back(r);
-    proxy.box.include(p - Vec3{r, r, r});
-    proxy.box.include(p + Vec3{r, r, r});
-  }
-  // A little larger, so that no decision is ever the box's.
-  proxy.size = length(proxy.box.size());
-  const double margin = 1e-6 * proxy.size;
-  proxy.box.low = proxy.box.low - Vec3{margin, margin, margin};
-  proxy.box.high = proxy.box.high + Vec3{margin, margin, margin};
-  return proxy;
-}
-
-/// Where on a → b the point nearest to p is, 0 … 1.
-double nearestAlong(Vec3 a, Vec3 b, Vec3 p) {
-  const Vec3 along = b - a;
-  const double whole = dot(along, along);
-  return whole > 0 ? std::clamp(dot(p - a, along) / whole, 0.0, 1.0) : 0;
-}
-
-/// How deep a point is in the cones, relative to the radius there: 1 on a bone, 0 at the surface.
-double penetration(const Proxy& proxy, Vec3 p) {
-  double best = -kFar;
-  for (const auto& [a, b] : proxy.skeleton->bones) {
-    const double t = nearestAlong(proxy.points[a], proxy.points[b], p);
-    const double r = proxy.radii[a] + (proxy.radii[b] - proxy.radii[a]) * t;
-    if (!(r > 0)) continue;
-    best = std::max(best, 1 - distance(lerp(proxy.points[a], proxy.points[b], t), p) / r);
-  }
-  return best;
-}
-
-struct Cone {
-  Vec3 a, b;
-  double radius_a, radius_b;
-};
-
-Cone coneOf(const Proxy& proxy, const std::array<uint32_t, 2>& bone) {
-  return {proxy.points[bone[0]], proxy.points[bone[1]], proxy.radii[bone[0]], proxy.radii[bone[1]]};
-}
-
-/// By how much the balls at s and t of two bones overlap, relative to the smaller one.
-double overlapAt(const Cone& one, double s, const Cone& other, double t) {
-  const double r = one.radius_a + (one.radius_b - one.radius_a) * s;
-  const double q = other.radius_a + (other.radius_b - other.radius_a) * t;
-  if (!(std::min(r, q) > 0)) return -kFar;
-  const double d = distance(lerp(one.a, one.b, s), lerp(other.a, other.b, t));
-  return (r + q - d) / std::min(r, q);
-}
-
-double overlap(const Cone& one, const Cone& other) {
-  // Two segments are nearest to each other at an end of one of them or where both are crossed.
-  double best = std::max({overlapAt(one, 0, other, nearestAlong(other.a, other.b, one.a)),
-                          overlapAt(one, 1, other, nearestAlong(other.a, other.b, one.b)),
-                          overlapAt(one, nearestAlong(one.a, one.b, other.a), other, 0),
-                          overlapAt(one, nearestAlong(one.a, one.b, other.b), other, 1)});
-  const Vec3 u = one.b - one.a, v = other.b - other.a, w = one.a - other.a;
-  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
-  const double sine = uu * vv - uv * uv;
-  if (sine > kParallel * kParallel * uu * vv) {
-    const double s = (uv * vw - vv * uw) / sine, t = (uu * vw - uv * uw) / sine;
-    if (s > 0 && s < 1 && t > 0 && t < 1) best = std::max(best, overlapAt(one, s, other, t));
-  }
-  return best;
-}
-
-bool farApart(const Cone& one, const Cone& other) {
-  const Vec3 d = (one.a + one.b - other.a - other.b) * 0.5;
-  const double reach = 0.5 * (distance(one.a, one.b) + distance(other.a, other.b)) +
-                       std::max(one.radius_a, one.radius_b) +
-                       std::max(other.radius_a, other.radius_b);
-  return dot(d, d) > reach * reach;
-}
-
-double overlap(const Proxy& child, const Proxy& parent) {
-  double best = -kFar;
-  for (const auto& bone : child.skeleton->bones) {
-    const Cone one = coneOf(child, bone);
-    for (const auto& other_bone : parent.skeleton->bones) {
-      const Cone other = coneOf(parent, other_bone);
-      if (!farApart(one, other)) best = std::max(best, overlap(one, other));
-    }
-  }
-  return best;
+  return radius > 0 ? length / (2 * radius) + 1 : 1;
 }
 
 class Connecting {
@@ -158,8 +47,19 @@ class Connecting {
     parent_.assign(count, kNone);
     free_.resize(count);
     image_.assign(count, kNone);
+    bodies_.resize(count);
+    boxes_.resize(count);
+    slenderness_.assign(count, 1);
+    tree_volume_.assign(count, 0);
+    is_body_.assign(count, false);
     for (uint32_t i = 0; i < count; ++i) {
       free_[i] = proxies_[i].exists;
+      if (proxies_[i].exists) {
+        bodies_[i].emplace(parts[i]);
+        boxes_[i] = bodies_[i]->box();
+        slenderness_[i] = slendernessOf(parts[i]);
+        tree_volume_[i] = bodies_[i]->volume();
+      }
       if (i == 0 || parts[i].source != parts[i - 1].source) continue;
       if (parts[i].placed->twin == parts[i - 1].placed->twin) continue;
       image_[i] = i - 1;
@@ -173,17 +73,21 @@ class Connecting {
       if (proxies_[i].exists && parts_[i].source->attachment) attachAsTold(i);
     }
     for (uint32_t i = 0; i < count; ++i) {
-      if (free_[i]) attach(i, 0, i);
+      if (free_[i]) attachToEarlier(i);
     }
-    for (uint32_t i = 0; i < count; ++i) {
-      if (free_[i] && image_[i] != kNone && !free_[image_[i]]) attachLikeImage(i);
+    attachLikeImages();
+    while (joinTrees(Join::limbs)) {
     }
+    attachLikeImages();
     for (uint32_t i = 0; i < count; ++i) {
       const uint32_t image = image_[i];
-      if (free_[i] && image < i && free_[image] && canHold(image, i)) attachTo(i, {image});
+      if (free_[i] && image < i && free_[image] && canHold(image, i) && meets(i, image)) {
+        attachTo(i, image);
+      }
     }
-    for (uint32_t i = 0; i < count; ++i) {
-      if (free_[i]) attach(i, i + 1, count);
+    for (const Join how : {Join::later, Join::any}) {
+      while (joinTrees(how)) {
+      }
     }
     std::sort(result_.begin(), result_.end(),
               [](const Connection& a, const Connection& b) { return a.child < b.child; });
@@ -227,150 +131,254 @@ class Connecting {
     connection.child = child;
     connection.parent = parent;
     connection.test = AttachTest::user;
-    placeOn(at, connection);
-    double nearest = kFar;
-    const Proxy& proxy = proxies_[child];
-    for (uint32_t j = 0; j < proxy.points.size(); ++j) {
-      if (!proxy.isEnd(j)) continue;
-      const double d = distance(proxy.points[j], connection.parent_position);
-      if (d < nearest - kTie * proxy.size) {
-        nearest = d;
-        connection.child_joint = j;
-        connection.child_position = proxy.points[j];
-      }
-    }
+    placeOnParent(proxies_[parent], at, connection);
+    placeOnChild(proxies_[child], connection.parent_position, connection);
     add(connection);
   }
 
-  /// Tests a part against those from `first` to before `end`, the mirror image of each pair that
-  /// its own image prefers first, so that what is a tie for both goes to either side.
-  void attach(uint32_t child, uint32_t first, uint32_t end) {
-    candidates_.clear();
-    const bool swap = parts_[child].placed->twin;
-    for (uint32_t i = first; i < end; ++i) {
-      uint32_t other = i;
-      if (swap && image_[i] != kNone && image_[i] >= first && image_[i] < end) other = image_[i];
-      if (other == child || other == image_[child] || !canHold(other, child)) continue;
-      // What the user took off is not to be taken back from the other side.
-      if (other > child && isTakenOff(treeOf(other))) continue;
-      const Proxy &one = proxies_[child], &two = proxies_[other];
-      if (one.box.meets(two.box) || one.body.meets(two.body)) candidates_.push_back(other);
-    }
-    attachTo(child, candidates_);
+  /// What is known of two parts whose boxes meet.
+  struct Pair {
+    double depth = -1;  // of bones of one of them in the other's balls; −1: or less
+    double share = -1;  // of the smaller one's volume that they have in common; below 0: not asked
+  };
+  Pair& pairOf(uint32_t one, uint32_t other) {
+    const uint64_t key = uint64_t{std::min(one, other)} * parts_.size() + std::max(one, other);
+    const auto [found, is_new] = pairs_.try_emplace(key);
+    if (is_new) found->second.depth = std::max(-1.0, depthOf(proxies_[one], proxies_[other]));
+    return found->second;
+  }
+  double shareOf(Pair& pair, uint32_t one, uint32_t other) {
+    if (pair.share < 0) pair.share = sharedVolume(*bodies_[one], *bodies_[other]);
+    return pair.share;
+  }
+  bool mayMeet(uint32_t one, uint32_t other) const { return boxes_[one].meets(boxes_[other]); }
+  bool meets(uint32_t child, uint32_t other) {
+    if (!mayMeet(child, other)) return false;
+    const double share = shareOf(pairOf(child, other), child, other);
+    if (share > options_.share) return true;
+    return share > 0 && (hasEndIn(child, other) ||
+                         ballOverlap(proxies_[child], proxies_[other]) > options_.overlap);
+  }
+  /// How well one could hold the other: more is better. Of parts that meet.
+  double score(uint32_t child, uint32_t other) {
+    Pair& pair = pairOf(child, other);
+    return pair.depth + kShareWeight * shareOf(pair, child, other);
   }
 
-  void attachTo(uint32_t child, const std::vector<uint32_t>& candidates) {
-    const Proxy& proxy = proxies_[child];
+  bool hasEndIn(uint32_t child, uint32_t other) const {
+    const PartProxy& proxy = proxies_[child];
+    for (size_t j = 0; j < proxy.points.size(); ++j) {
+      if (!proxy.isEnd(j) || !proxies_[other].box.has(proxy.points[j])) continue;
+      if (penetration(proxies_[other], proxy.points[j]) > kTie) return true;
+    }
+    return false;
+  }
+
+  /// How many times as large as the tree of `limb` a body is that could hold it as a limb; 0 where
+  /// it could not.
+  double timesLarger(uint32_t limb, uint32_t body) const {
+    const uint32_t tree = treeOf(limb);
+    if (!proxies_[body].holds || !free_[tree]) return 0;
+    const double times = bodies_[body]->volume() / tree_volume_[tree];
+    if (times > kPlainlyLarger) return times;
+    return times > kLargerThanSlender && slenderness_[limb] > kSlender ? times : 0;
+  }
+  bool isLimbOf(uint32_t limb, uint32_t body) const {
+    return is_body_[body] && timesLarger(limb, body) > 0;
+  }
+
+  /// Whether the limbs of a part were drawn before it.
+  bool hasEarlierLimbs(uint32_t body) {
+    limbs_.clear();
+    for (uint32_t i = 0; i < body; ++i) {
+      if (!proxies_[i].holds || !mayMeet(body, i) || i == image_[body]) continue;
+      const double times = timesLarger(i, body);
+      const uint32_t tree = treeOf(i);
+      if (!(times > 0) || std::count(limbs_.begin(), limbs_.end(), tree) || !meets(i, body))
+        continue;
+      if (times > kFarLarger) return true;
+      limbs_.push_back(tree);
+    }
+    return limbs_.size() > 1;
+  }
+
+  /// What could hold a part.
+  struct Candidate {
+    uint32_t part;   // none where it cannot
+    double at_most;  // its score; −∞ once that is known
+    double score;
+  };
+
+  /// Calls visit with all parts, the mirror image of each pair that the child's own image prefers
+  /// first, so that what is a tie for both goes to either side.
+  template <typename Visit>
+  void forOthers(uint32_t child, uint32_t end, const Visit& visit) const {
+    const bool swap = parts_[child].placed->twin;
+    for (uint32_t i = 0; i < end; ++i) {
+      uint32_t other = i;
+      if (swap && image_[i] != kNone && image_[i] < end) other = image_[i];
+      if (proxies_[other].exists && other != child && other != image_[child]) visit(other);
+    }
+  }
+
+  void attachToEarlier(uint32_t child) {
+    is_body_[child] = hasEarlierLimbs(child);
+    candidates_.clear();
+    forOthers(child, child, [&](uint32_t other) {
+      if (!mayMeet(child, other) || !canHold(other, child)) return;
+      candidates_.push_back({other, pairOf(child, other).depth + kShareWeight, -kFar});
+    });
+    // Most are too bad whatever they share; how much that is takes long.
+    double best = -kFar;
+    while (true) {
+      Candidate* next = nullptr;
+      for (Candidate& candidate : candidates_) {
+        if (!next || candidate.at_most > next->at_most) next = &candidate;
+      }
+      if (!next || next->at_most < best - 2 * kTie) break;
+      if (next->at_most == -kFar) break;
+      next->at_most = -kFar;
+      if (!meets(child, next->part) || isLimbOf(next->part, child)) {
+        next->part = kNone;
+        continue;
+      }
+      next->score = score(child, next->part);
+      best = std::max(best, next->score);
+    }
+    const auto first =
+        std::find_if(candidates_.begin(), candidates_.end(),
+                     [&](const Candidate& c) { return c.part != kNone && c.score >= best - kTie; });
+    if (best > -kFar && first != candidates_.end()) attachTo(child, first->part);
+  }
+
+  /// Which trees are hung on others that their parts meet.
+  enum class Join {
+    limbs,  // what is plainly smaller than the part that it meets
+    later,  // that, and what was drawn later than the other tree's root
+    any
+  };
+  /// Whether any was hung.
+  bool joinTrees(Join how) {
+    bool any = false;
+    for (uint32_t root = 0; root < parts_.size(); ++root) {
+      if (free_[root]) any = joinTree(root, how) || any;
+    }
+    return any;
+  }
+
+  bool joinTree(uint32_t root, Join how) {
+    uint32_t best_part = kNone, parent = kNone;
+    double best = -kFar;
+    for (uint32_t part = 0; part < parts_.size(); ++part) {
+      if (!proxies_[part].exists || treeOf(part) != root || !canBecomeRoot(part)) continue;
+      forOthers(part, static_cast<uint32_t>(parts_.size()), [&](uint32_t other) {
+        if (!proxies_[other].holds || !mayMeet(part, other)) return;
+        const uint32_t tree = treeOf(other);
+        if (tree == root || !meets(part, other)) return;
+        if (!(score(part, other) > best + kTie)) return;
+        // What the user took off is not to be taken back from the other side.
+        if (isTakenOff(tree) && (tree > root || isLimbOf(other, part))) return;
+        if (how != Join::any && !isLimbOf(part, other)) {
+          if (how == Join::limbs || (tree > root && free_[tree]) || isLimbOf(other, part)) return;
+        }
+        best = score(part, other);
+        best_part = part;
+        parent = other;
+      });
+    }
+    if (parent == kNone) return false;
+    makeRoot(best_part);
+    attachTo(best_part, parent);
+    return true;
+  }
+
+  Connection* connectionOf(uint32_t child) {
+    const auto found =
+        std::find_if(result_.begin(), result_.end(),
+                     [&](const Connection& connection) { return connection.child == child; });
+    return found == result_.end() ? nullptr : &*found;
+  }
+
+  /// Whether its tree can be turned round so that it hangs on this part.
+  bool canBecomeRoot(uint32_t part) {
+    if (parent_[part] == kNone) return free_[part];
+    for (; parent_[part] != kNone; part = parent_[part]) {
+      if (connectionOf(part)->test == AttachTest::user) return false;
+    }
+    return true;
+  }
+
+  void makeRoot(uint32_t part) {
+    tree_volume_[part] = tree_volume_[treeOf(part)];
+    std::vector<Connection*> turned;
+    for (uint32_t child = part; parent_[child] != kNone; child = parent_[child]) {
+      turned.push_back(connectionOf(child));
+    }
+    for (Connection* connection : turned) {
+      std::swap(connection->child, connection->parent);
+      parent_[connection->child] = connection->parent;
+      free_[connection->child] = false;
+      place(*connection);
+    }
+    parent_[part] = kNone;
+    free_[part] = true;
+  }
+
+  void attachTo(uint32_t child, uint32_t parent) {
     Connection connection;
     connection.child = child;
-    double best = kTie;
-    connection.parent = kNone;
-    for (const uint32_t candidate : candidates) {
-      const Proxy& other = proxies_[candidate];
-      for (size_t j = 0; j < proxy.points.size(); ++j) {
-        if (!proxy.isEnd(j) || !other.box.has(proxy.points[j])) continue;
-        const double depth = penetration(other, proxy.points[j]);
-        if (!(depth > best)) continue;
-        if (connection.parent != candidate && !(depth > best + kTie)) continue;
-        best = depth;
-        connection.parent = candidate;
-      }
-    }
-    if (connection.parent == kNone) {
-      connection.test = AttachTest::overlap;
-      best = options_.overlap;
-      for (const uint32_t candidate : candidates) {
-        const double depth = overlap(proxy, proxies_[candidate]);
-        if (!(depth > best + kTie)) continue;
-        best = depth;
-        connection.parent = candidate;
-      }
-    }
-    if (connection.parent == kNone) {
-      best = 0;
-      for (const uint32_t candidate : candidates) {
-        if (!proxy.body.meets(proxies_[candidate].body)) continue;
-        const double share = bodyOverlap(parts_[child], parts_[candidate]);
-        if (!(share > best + kTie)) continue;
-        best = share;
-        connection.parent = candidate;
-      }
-    }
-    if (connection.parent == kNone) return;
-    placeNearest(connection);
+    connection.parent = parent;
+    place(connection);
     add(connection);
+  }
+
+  void place(Connection& connection) {
+    const uint32_t child = connection.child, parent = connection.parent;
+    connection.test = hasEndIn(child, parent) ? AttachTest::joint : AttachTest::overlap;
+    placeAtOverlap({proxies_[child], *bodies_[child]}, {proxies_[parent], *bodies_[parent]},
+                   connection);
   }
 
   /// Where a part lies just on the verge, rounding must not tell it from its twin.
+  void attachLikeImages() {
+    for (uint32_t i = 0; i < parts_.size(); ++i) {
+      if (free_[i] && image_[i] != kNone && !free_[image_[i]]) attachLikeImage(i);
+    }
+  }
+
   void attachLikeImage(uint32_t child) {
-    const auto found = std::find_if(
-        result_.begin(), result_.end(),
-        [&](const Connection& connection) { return connection.child == image_[child]; });
-    if (found == result_.end() || found->test == AttachTest::user) return;
+    const Connection* found = connectionOf(image_[child]);
+    if (!found || found->test == AttachTest::user) return;
     const uint32_t mirrored_parent = image_[found->parent];
-    Connection connection;
-    connection.child = child;
-    connection.parent = mirrored_parent == kNone ? found->parent : mirrored_parent;
-    connection.test = found->test;
-    if (!canHold(connection.parent, child)) return;
-    if (!(overlap(proxies_[child], proxies_[connection.parent]) > -kPlainlyAway)) return;
-    placeNearest(connection);
-    add(connection);
+    const uint32_t parent = mirrored_parent == kNone ? found->parent : mirrored_parent;
+    if (parent == child || !canHold(parent, child)) return;
+    if (!(ballOverlap(proxies_[child], proxies_[parent]) > -kPlainlyAway)) return;
+    attachTo(child, parent);
   }
 
   void add(const Connection& connection) {
     // What has no bones of its own holds nothing, so it stays out of the trees.
-    if (proxies_[connection.child].holds) parent_[connection.child] = connection.parent;
+    if (proxies_[connection.child].holds) {
+      tree_volume_[treeOf(connection.parent)] += tree_volume_[connection.child];
+      parent_[connection.child] = connection.parent;
+    }
     free_[connection.child] = false;
     result_.push_back(connection);
   }
 
-  /// Over all ends of the child. [Equation 3, with |v_i v_k| sin θ]
-  void placeNearest(Connection& connection) const {
-    const Proxy &child = proxies_[connection.child], &parent = proxies_[connection.parent];
-    double nearest = kFar;
-    Connection best = connection;
-    for (uint32_t j = 0; j < child.points.size(); ++j) {
-      if (!child.isEnd(j)) continue;
-      const double d = placeOn(child.points[j], connection);
-      if (!(d < nearest - kTie * parent.size)) continue;
-      nearest = d;
-      best = connection;
-      best.child_joint = j;
-      best.child_position = child.points[j];
-    }
-    connection = best;
-  }
-
-  /// Fills in the place on the parent's skeleton nearest to p; gives its distance.
-  double placeOn(Vec3 p, Connection& connection) const {
-    const Proxy& parent = proxies_[connection.parent];
-    const auto& bones = parent.skeleton->bones;
-    double nearest = kFar;
-    for (uint32_t k = 0; k < bones.size(); ++k) {
-      const Vec3 a = parent.points[bones[k][0]], b = parent.points[bones[k][1]];
-      const double t = nearestAlong(a, b, p);
-      const Vec3 foot = lerp(a, b, t);
-      const double d = distance(foot, p);
-      if (!(d < nearest - kTie * parent.size)) continue;
-      nearest = d;
-      const bool split = t > kTie && t < 1 - kTie;
-      connection.event = split ? AttachEvent::split : AttachEvent::connect;
-      connection.parent_joint = split || t < 0.5 ? bones[k][0] : bones[k][1];
-      connection.parent_bone = split ? k : 0;
-      connection.along = split ? t : 0;
-      connection.parent_position = split ? foot : parent.points[connection.parent_joint];
-    }
-    return nearest;
-  }
-
   const std::vector<RigPart>& parts_;
   const ConnectOptions& options_;
-  std::vector<Proxy> proxies_;
+  std::vector<PartProxy> proxies_;
+  std::vector<std::optional<PartBody>> bodies_;    // of those that have a proxy
+  std::vector<Box3> boxes_;                        // of the bodies
+  std::vector<double> slenderness_, tree_volume_;  // of parts, of their roots
+  std::vector<char> is_body_;                      // whose limbs were drawn before it
+  std::vector<uint32_t> limbs_;
+  std::unordered_map<uint64_t, Pair> pairs_;  // by both parts; what was asked for
+  std::vector<Candidate> candidates_;
   std::vector<uint32_t> parent_;  // of the trees so far
   std::vector<uint32_t> image_;   // the other one of a part and its twin
   std::vector<char> free_;        // may still be attached
-  std::vector<uint32_t> candidates_;
   std::vector<Connection> result_;
 };
 

@@ -9,11 +9,20 @@ namespace {
 constexpr uint32_t kNone = JoinedSkeleton::kNone;
 constexpr double kTie = 1e-9;
 
-/// A place on a branch where a part hangs.
+/// A place on a branch where a part hangs, or by which its own part does.
 struct Place {
   uint32_t part, branch;
   double u;
+  bool own;
   uint32_t connection;
+};
+
+/// One end of a connection.
+struct ConnectedAt {
+  uint32_t part;
+  bool split;
+  uint32_t joint, bone;
+  double along;
 };
 
 class Joining {
@@ -28,8 +37,7 @@ class Joining {
     for (size_t i = 0; i < connections_.size(); ++i) {
       const Connection& connection = connections_[i];
       if (!hasBones(connection.child)) continue;
-      const uint32_t child = result_.parts[connection.child].first_node + connection.child_joint;
-      addEdge({held_at_[i], child, kNone, 0, 0,
+      addEdge({held_at_[i], hangs_by_[i], kNone, 0, 0,
                distance(connection.child_position, connection.parent_position)});
       Node& node = result_.nodes[held_at_[i]];
       node.hangs = std::min(node.hangs, connection.child);
@@ -66,55 +74,64 @@ class Joining {
     }
   }
 
-  /// Finds the node of each connection's parent, or the place on a branch that becomes one.
+  /// Finds the nodes at both ends of each connection, or places on branches that become some.
   void placeConnections() {
     held_at_.assign(connections_.size(), kNone);
+    hangs_by_.assign(connections_.size(), kNone);
     for (uint32_t i = 0; i < connections_.size(); ++i) {
-      const Connection& connection = connections_[i];
-      if (!hasBones(connection.child)) continue;
-      const auto& parent = result_.parts[connection.parent];
-      const PartSkeleton& skeleton = *parent.skeleton;
-      const bool split = connection.event == AttachEvent::split;
-      if (!split && skeleton.joints[connection.parent_joint].kind != JointKind::sleeve) {
-        held_at_[i] = parent.first_node + connection.parent_joint;
-        continue;
-      }
-      Place place{connection.parent, 0, 0, i};
-      for (const auto& branch : skeleton.branches) {
-        const size_t bones = branch.joints.size() - 1;
-        if (split) {
-          const size_t k = connection.parent_bone - size_t{branch.first_bone};
-          if (connection.parent_bone >= branch.first_bone && k < bones) {
-            place.u = branch.at[k] +
-                      connection.along * (static_cast<double>(branch.at[k + 1]) - branch.at[k]);
-            break;
-          }
-        } else {
-          const auto found =
-              std::find(branch.joints.begin(), branch.joints.end(), connection.parent_joint);
-          if (found != branch.joints.end()) {
-            place.u = branch.at[static_cast<size_t>(found - branch.joints.begin())];
-            break;
-          }
-        }
-        ++place.branch;
-      }
-      // Near a sample it is that sample, near an end the end.
-      const double nearest = std::floor(place.u + 0.5);
-      if (std::abs(place.u - nearest) < kSamePlace) place.u = nearest;
-      const auto& branch = skeleton.branches[place.branch];
-      if (place.u <= 0 || place.u >= branch.at.back()) {
-        held_at_[i] =
-            parent.first_node + (place.u <= 0 ? branch.joints.front() : branch.joints.back());
-      } else {
-        places_.push_back(place);
-      }
+      const Connection& c = connections_[i];
+      if (!hasBones(c.child)) continue;
+      const bool split = c.event == AttachEvent::split;
+      place({c.parent, split, c.parent_joint, c.parent_bone, c.along}, false, i);
+      place({c.child, c.child_split, c.child_joint, c.child_bone, c.child_along}, true, i);
     }
     std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
       if (a.part != b.part) return a.part < b.part;
       if (a.branch != b.branch) return a.branch < b.branch;
       return a.u != b.u ? a.u < b.u : a.connection < b.connection;
     });
+  }
+
+  void place(const ConnectedAt& at, bool own, uint32_t connection) {
+    const auto& part = result_.parts[at.part];
+    const PartSkeleton& skeleton = *part.skeleton;
+    uint32_t& node = nodeOf(own, connection);
+    if (!at.split && skeleton.joints[at.joint].kind != JointKind::sleeve) {
+      node = part.first_node + at.joint;
+      return;
+    }
+    Place place{at.part, 0, 0, own, connection};
+    for (const auto& branch : skeleton.branches) {
+      const size_t bones = branch.joints.size() - 1;
+      if (at.split) {
+        const size_t k = at.bone - size_t{branch.first_bone};
+        if (at.bone >= branch.first_bone && k < bones) {
+          place.u =
+              branch.at[k] + at.along * (static_cast<double>(branch.at[k + 1]) - branch.at[k]);
+          break;
+        }
+      } else {
+        const auto found = std::find(branch.joints.begin(), branch.joints.end(), at.joint);
+        if (found != branch.joints.end()) {
+          place.u = branch.at[static_cast<size_t>(found - branch.joints.begin())];
+          break;
+        }
+      }
+      ++place.branch;
+    }
+    // Near a sample it is that sample, near an end the end.
+    const double nearest = std::floor(place.u + 0.5);
+    if (std::abs(place.u - nearest) < kSamePlace) place.u = nearest;
+    const auto& branch = skeleton.branches[place.branch];
+    if (place.u <= 0 || place.u >= branch.at.back()) {
+      node = part.first_node + (place.u <= 0 ? branch.joints.front() : branch.joints.back());
+    } else {
+      places_.push_back(place);
+    }
+  }
+
+  uint32_t& nodeOf(bool own, uint32_t connection) {
+    return own ? hangs_by_[connection] : held_at_[connection];
   }
 
   void addBranches() {
@@ -138,7 +155,8 @@ class Joining {
             last = next;
             u = node.u;
           }
-          held_at_[place->connection] = last;
+          nodeOf(place->own, place->connection) = last;
+          if (place->own) result_.nodes[last].hangs_by = true;
         }
         addPiece(i, b, last, part.first_node + branch.joints.back(), u, branch.at.back());
       }
@@ -300,7 +318,7 @@ class Joining {
 
   const std::vector<RigPart>& parts_;
   const std::vector<Connection>& connections_;
-  std::vector<uint32_t> held_at_;  // by connection: node
+  std::vector<uint32_t> held_at_, hangs_by_;  // by connection: nodes of the parent, of the child
   std::vector<Place> places_;
   std::vector<uint32_t> starts_, around_;
   JoinedSkeleton result_;

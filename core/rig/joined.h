@@ -13,13 +13,15 @@ namespace marrow {
 struct JoinedSkeleton {
   static constexpr uint32_t kNone = 0xFFFFFFFF;
 
-  /// A terminal or junction of a part, or a place on a branch where others hang.
+  /// A terminal or junction of a part, or a place on a branch where others hang or by which the
+  /// part itself does.
   struct Node {
     uint32_t part = 0;
     uint32_t branch = kNone;  // of a place on a branch
     double u = 0;             // of such a place: a sample of the branch, or between two
     uint32_t joint = kNone;   // of a terminal or junction
     uint32_t hangs = kNone;   // first part that hangs here
+    bool hangs_by = false;    // of a place on a branch: the part itself hangs by it
     uint32_t degree = 0;
     // Seen from the root.
     uint32_t parent = kNone;

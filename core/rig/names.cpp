@@ -88,7 +88,8 @@ std::vector<std::string> uniqueNames(const std::vector<RigPart>& parts) {
   return names;
 }
 
-JointNames::JointNames(const std::vector<RigPart>& parts, const JoinedSkeleton& joined)
+JointNames::JointNames(const std::vector<RigPart>& parts, const JoinedSkeleton& joined,
+                       const std::vector<double>& epsilons)
     : joined_(joined), first_line_(parts.size()), branch_of_(joined.nodes.size(), kNone) {
   const std::vector<std::string> names = uniqueNames(parts);
   size_t count = 0;
@@ -97,6 +98,17 @@ JointNames::JointNames(const std::vector<RigPart>& parts, const JoinedSkeleton& 
     if (joined.parts[i].skeleton) count += joined.parts[i].skeleton->branches.size();
   }
   lines_.resize(count);
+  for (size_t i = 0; i < parts.size(); ++i) {
+    if (!joined.parts[i].skeleton) continue;
+    const auto& branches = joined.parts[i].skeleton->branches;
+    for (size_t b = 0; b < branches.size(); ++b) {
+      auto& at = lines_[first_line_[i] + b].at;
+      for (uint32_t k = 0; k < branches[b].levels.size(); ++k) {
+        const bool is_end = k == 0 || k + 1 == branches[b].levels.size();
+        if (is_end || isKept(branches[b].levels[k], epsilons[i])) at.push_back(k);
+      }
+    }
+  }
 
   std::vector<uint32_t> visited(parts.size());  // branches of each part so far
   for (const uint32_t node : joined.order) {
@@ -146,7 +158,7 @@ std::string JointNames::ofSample(uint32_t part, uint32_t branch, uint32_t sample
 
 std::string JointNames::name(uint32_t part, uint32_t branch, double u) const {
   const Line& on = line(part, branch);
-  const auto& at = joined_.parts[part].skeleton->branches[branch].at;
+  const auto& at = on.at;
   // Joints at the default threshold, and places where others hang, up to u.
   size_t number = 0;
   bool counted = false;

@@ -9,10 +9,12 @@
 
 namespace marrow {
 
-/// Names of joints (see Rig::Joint::name). They do not hang on thresholds.
+/// Names of joints (see Rig::Joint::name). They do not hang on thresholds. epsilons: by part, the
+/// default ε_s in its plane.
 class JointNames {
  public:
-  JointNames(const std::vector<RigPart>& parts, const JoinedSkeleton& joined);
+  JointNames(const std::vector<RigPart>& parts, const JoinedSkeleton& joined,
+             const std::vector<double>& epsilons);
 
   /// Of a node; and the own branch of its part on which it lies.
   std::string ofNode(uint32_t node) const;
@@ -28,6 +30,7 @@ class JointNames {
     bool backwards = false;      // the root is on the side of its last sample
     bool from_start = false;     // its first joint counts, being no other branch's
     std::vector<double> places;  // u of the nodes on it, ascending
+    std::vector<uint32_t> at;    // samples that are joints by default
   };
   const Line& line(uint32_t part, uint32_t branch) const {
     return lines_[first_line_[part] + branch];

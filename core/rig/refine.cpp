@@ -32,7 +32,8 @@ class Refining {
         connections_(connections),
         model_(model),
         joined_(joinSkeletons(parts, connections)),
-        names_(parts, joined_) {}
+        plane_scales_(planeScales()),
+        names_(parts, joined_, defaultEpsilons()) {}
 
   Rig run() {
     setThresholds();
@@ -72,6 +73,29 @@ class Refining {
     uint32_t count = 0;
   };
 
+  /// By part: the scale of the outline of the part that holds all others of its tree, in its own
+  /// plane. (Whichever of them the user made the root: that is to change no joint.)
+  std::vector<double> planeScales() const {
+    std::vector<uint32_t> holder(parts_.size(), kNone);
+    for (const Connection& connection : connections_) {
+      if (joined_.parts[connection.child].skeleton) holder[connection.child] = connection.parent;
+    }
+    std::vector<double> scales(parts_.size());
+    for (uint32_t i = 0; i < parts_.size(); ++i) {
+      if (!joined_.parts[i].skeleton) continue;
+      uint32_t top = i;
+      while (holder[top] != kNone) top = holder[top];
+      scales[i] =
+          parts_[top].part->outline.scale() * joined_.parts[top].scale / joined_.parts[i].scale;
+    }
+    return scales;
+  }
+  std::vector<double> defaultEpsilons() const {
+    std::vector<double> epsilons = plane_scales_;
+    for (double& epsilon : epsilons) epsilon *= Refinement::kSimplify;
+    return epsilons;
+  }
+
   void setThresholds() {
     std::vector<double> scales;
     for (const uint32_t root : joined_.roots) {
@@ -100,7 +124,7 @@ class Refining {
       const auto found = branches.find(branchKey(branch));
       if (found != branches.end()) value = sane(found->second);
     }
-    return value * parts_[part].part->outline.scale();
+    return value * plane_scales_[part];
   }
 
   const Thresholds& thresholdsOf(const Way& way) const {
@@ -179,10 +203,15 @@ class Refining {
     if (backwards) std::reverse(candidates_.begin() + static_cast<long>(first), candidates_.end());
   }
 
+  /// Whether it is a sample without which a bone would leave the body.
+  static bool isNeeded(const Candidate& candidate) {
+    return candidate.node == kNone && candidate.level == kAlways;
+  }
+
   /// Leaves what is at least `room` away from inner ends of the way, and from all candidates that
-  /// matter more: nodes before samples, and samples that stay longer under growing ε_s. Whether
-  /// these are themselves dropped makes no difference, so that neither more room nor fewer
-  /// candidates ever leaves more of them.
+  /// matter more: nodes before samples, and samples that stay longer under growing ε_s; and what
+  /// bones need to stay inside. Whether these are themselves dropped makes no difference, so that
+  /// neither more room nor fewer candidates ever leaves more of them.
   void dropCrowded(const Way& way, double room) {
     const size_t count = candidates_.size();
     crowded_.assign(count, false);
@@ -197,7 +226,8 @@ class Refining {
         stack_.pop_back();
       }
       const double nearest = is_node || stack_.empty() ? last_node : stack_.back().first;
-      crowded_[i] = candidate.at - nearest < room || end - candidate.at < room;
+      crowded_[i] =
+          !isNeeded(candidate) && (candidate.at - nearest < room || end - candidate.at < room);
       if (is_node) {
         stack_.clear();
         last_node = candidate.at;
@@ -216,7 +246,7 @@ class Refining {
       }
       while (!stack_.empty() && stack_.back().second <= candidate.level) stack_.pop_back();
       const double nearest = stack_.empty() ? next_node : stack_.back().first;
-      if (nearest - candidate.at < room) crowded_[i] = true;
+      if (nearest - candidate.at < room && !isNeeded(candidate)) crowded_[i] = true;
       stack_.push_back({candidate.at, candidate.level});
     }
     size_t kept = 0;
@@ -244,6 +274,8 @@ class Refining {
     std::string id = ids_[at.part];
     if (at.branch == kNone) {
       id += "/n" + std::to_string(at.joint);
+    } else if (at.hangs_by) {
+      id += "/h";
     } else {
       id += "/a:" + ids_[at.hangs];
     }
@@ -305,16 +337,13 @@ class Refining {
     return {point, own.radius * (from + (ratio(k) - from) * t)};
   }
 
-  /// On the bone between two samples that are joints.
+  /// On the bone of the part's own skeleton, where the connection is: it stays there whatever ε_s.
   Ball ballOn(uint32_t part, uint32_t branch, double u) const {
     const auto& shape = joined_.parts[part].skeleton->branches[branch];
-    const double epsilon_s = epsilon(part, branch);
-    uint32_t low = static_cast<uint32_t>(u), high = static_cast<uint32_t>(std::ceil(u));
-    while (!isKept(shape.levels[low], epsilon_s)) --low;
-    while (!isKept(shape.levels[high], epsilon_s)) ++high;
-    const Ball a = ballAt(part, branch, low);
-    if (low == high) return a;
-    const Ball b = ballAt(part, branch, high);
+    size_t k = 1;
+    while (k + 1 < shape.at.size() && shape.at[k] <= u) ++k;
+    const uint32_t low = shape.at[k - 1], high = shape.at[k];
+    const Ball a = ballAt(part, branch, low), b = ballAt(part, branch, high);
     const double t = (u - low) / (high - static_cast<double>(low));
     return {lerp(a.point, b.point, t), a.radius + (b.radius - a.radius) * t};
   }
@@ -376,6 +405,7 @@ class Refining {
   const std::vector<Connection>& connections_;
   const Refinement& model_;
   const JoinedSkeleton joined_;
+  const std::vector<double> plane_scales_;  // by part, what ε_s is multiplied by
   const JointNames names_;
   std::vector<Thresholds> thresholds_;  // by part
   std::vector<double> epsilons_;        // by part, at the reference perimeter

@@ -9,7 +9,9 @@ namespace marrow {
 
 /// Always from the unrefined skeletons, so that a threshold taken back gives back the same rig.
 ///
-/// ε_s decides which samples of a branch are joints. The other three compare lengths along the
+/// ε_s decides which samples of a branch are joints; it is measured on the outline of the part that
+/// holds the tree, not on each part's own. What a bone needs to stay inside is always one. The other
+/// three compare lengths along the
 /// unrefined axes, between joints as they are in the unrefined, connected skeleton. A way is the
 /// path from one joint that has not two bones (or is a root) to the next; the thresholds of a way
 /// are those of the part at its far end.
@@ -18,7 +20,8 @@ namespace marrow {
 ///   so on through the cluster;
 /// - prune: a way from a junction to a terminal shorter than ε_t goes;
 /// - collapse: a way between inner joints shorter than ε_c becomes one joint. A sleeve goes where
-///   its way ends at an inner joint, or where a sleeve that matters more is, within ε_c.
+///   its way ends at an inner joint, or where a sleeve that matters more is, within ε_c; not
+///   where a bone needs it to stay inside.
 /// The way that holds most of a part stays whatever the thresholds: each part keeps a bone.
 ///
 /// So more of any threshold, at any scope, never gives more joints, whatever the others are, and

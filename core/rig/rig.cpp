@@ -26,8 +26,9 @@ const char* toString(AttachTest test) {
 
 bool operator==(const Connection& a, const Connection& b) {
   return a.child == b.child && a.parent == b.parent && a.event == b.event && a.test == b.test &&
-         a.child_joint == b.child_joint && a.parent_joint == b.parent_joint &&
-         a.parent_bone == b.parent_bone && a.along == b.along &&
+         a.child_split == b.child_split && a.child_joint == b.child_joint &&
+         a.child_bone == b.child_bone && a.child_along == b.child_along &&
+         a.parent_joint == b.parent_joint && a.parent_bone == b.parent_bone && a.along == b.along &&
          a.child_position == b.child_position && a.parent_position == b.parent_position;
 }
 

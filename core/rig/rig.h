@@ -26,8 +26,8 @@ struct RigPart {
 
 enum class AttachEvent : uint8_t { split, connect };  // [RS §3.2, Fig. 9]
 enum class AttachTest : uint8_t {
-  joint,    // a terminal or junction joint of the child lies in the parent's proxy
-  overlap,  // the proxies themselves overlap, or else the bodies
+  joint,    // the bodies overlap, and a terminal or junction joint of the child is in the parent
+  overlap,  // the bodies overlap
   user,     // the user said so
 };
 const char* toString(AttachEvent event);
@@ -42,7 +42,10 @@ struct Connection {
   uint32_t child = 0, parent = 0;
   AttachEvent event = AttachEvent::connect;
   AttachTest test = AttachTest::joint;
-  uint32_t child_joint = 0;
+  bool child_split = false;   // hangs by a place within one of its bones, not by a joint
+  uint32_t child_joint = 0;   // by which it hangs; where child_split, the bone's first joint
+  uint32_t child_bone = 0;    // where child_split
+  double child_along = 0;     // where child_split: 0 … 1 from that bone's first joint on
   uint32_t parent_joint = 0;  // of a connect event; of a split event the bone's first joint
   uint32_t parent_bone = 0;   // of a split event
   double along = 0;           // of a split event: 0 … 1 from the bone's first joint to its second
@@ -55,7 +58,8 @@ struct Rig {
   struct Joint {
     /// Stays while the joint does, and comes back with it: "part-3/n0" (terminal or junction 0 of
     /// the part's own), "part-3/b1.17" (sample 17 of its branch 1), "part-3/a:part-5" (where that
-    /// part hangs on a branch). A '/' in a part's id is doubled.
+    /// part hangs on a branch), "part-3/h" (where part-3 itself hangs by a branch). A '/' in a
+    /// part's id is doubled.
     std::string id;
     /// Unique, and the same whatever the thresholds: the part's name, its side where it has a twin,
     /// the number along the branch: "Leg.L.2". 1 is nearest to the root. Other branches than the

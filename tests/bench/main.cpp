@@ -8,6 +8,7 @@
 //   quality    how good rigs are; the same on every machine; FILEs are strokes in place of ours
 //   weights    of these, the rows of skin weights alone; what is bad, on the standard error
 //   missed     of the joints that people place, those that rigs lack, on the standard error
+//   connected  of parts that overlap, which are not put together as an animator would, likewise
 //   model      characters merged, weighted, posed and written; FILEs are documents
 //   character  the document of 60 strokes that is dragged and refined
 #include <cstdio>
@@ -16,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/chordal_axis.h"
+#include "bench/connect_quality.h"
 #include "bench/inputs.h"
 #include "bench/measure.h"
 #include "bench/models.h"
@@ -216,13 +218,15 @@ int run(int argc, char** argv) {
     weights();
   } else if (what == "missed") {
     missedJoints();
+  } else if (what == "connected") {
+    printQuality(connectQuality(true));
   } else if (what == "model") {
     models(quick, files);
   } else {
     std::fprintf(stderr,
                  "marrow_bench "
-                 "strokes|stages|growth|cold|rig|model|quality|weights|missed|character [--quick] "
-                 "[FILE…]\n");
+                 "strokes|stages|growth|cold|rig|model|quality|weights|missed|connected|character "
+                 "[--quick] [FILE…]\n");
     return 2;
   }
   return 0;

@@ -1,5 +1,6 @@
 #include "bench/quality.h"
 
+#include "bench/connect_quality.h"
 #include "bench/creatures.h"
 #include "bench/placed_joints.h"
 #include "bench/skeleton_quality.h"
@@ -33,6 +34,7 @@ void printQuality(const std::vector<QualityRow>& rows) {
 void quality(const std::vector<std::string>& paths) {
   if (paths.empty()) {
     printQuality(placedJoints());
+    printQuality(connectQuality());
     printQuality(skeletonQuality(ourDrawings()));
     printQuality(weightQuality(ourDrawings()));
     return;

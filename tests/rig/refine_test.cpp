@@ -200,11 +200,24 @@ TEST_CASE("rig: without thresholds every joint of every part is there", "[rig]")
     const Rig rig = creature.rig(unrefined());
     std::map<std::string, Vec3> positions;
     for (const auto& joint : rig.joints) positions[joint.id] = joint.position;
+    // ε_s is measured on the part that nobody holds.
+    const auto epsilonOf = [&](uint32_t part) {
+      uint32_t top = part;
+      while (const Connection* held = connectionOf(rig.connections, top)) top = held->parent;
+      return Refinement::kSimplify * creature.parts[top].part->outline.scale() *
+             creature.placed[top].frame.scale() / creature.placed[part].frame.scale();
+    };
     size_t expected = 0;
-    for (size_t i = 0; i < creature.parts.size(); ++i) {
+    for (uint32_t i = 0; i < creature.parts.size(); ++i) {
       if (!creature.hasBones(i)) continue;
       const PartSkeleton& skeleton = creature.parts[i].part->skeleton;
-      expected += skeleton.joints.size();
+      const double epsilon = epsilonOf(i);
+      for (const auto& branch : skeleton.branches) {
+        for (size_t k = 1; k + 1 < branch.levels.size(); ++k) {
+          expected += isKept(branch.levels[k], epsilon);
+        }
+      }
+      for (const auto& joint : skeleton.joints) expected += joint.kind != JointKind::sleeve;
       for (size_t j = 0; j < skeleton.joints.size(); ++j) {
         if (skeleton.joints[j].kind == JointKind::sleeve) continue;
         const auto found = positions.find(creature.placed[i].id + "/n" + std::to_string(j));
@@ -212,13 +225,20 @@ TEST_CASE("rig: without thresholds every joint of every part is there", "[rig]")
         CHECK(found->second == creature.placed[i].frame.toWorld(skeleton.joints[j].position));
       }
     }
+    const auto isSleeve = [&](uint32_t part, uint32_t joint) {
+      return creature.parts[part].part->skeleton.joints[joint].kind == JointKind::sleeve;
+    };
     std::set<std::array<double, 3>> splits;
     for (const Connection& c : rig.connections) {
-      const Vec3 p = c.parent_position;
-      if (c.event == AttachEvent::split) splits.insert({p.x, p.y, p.z});
+      const Vec3 p = c.parent_position, q = c.child_position;
+      if (c.event == AttachEvent::split || isSleeve(c.parent, c.parent_joint)) {
+        splits.insert({p.x, p.y, p.z});
+      }
+      if (c.child_split || isSleeve(c.child, c.child_joint)) splits.insert({q.x, q.y, q.z});
     }
     CHECK(rig.joints.size() <= expected + splits.size());
-    CHECK(rig.joints.size() + rig.connections.size() >= expected + splits.size());
+    // Places on the samples of a branch are joints already.
+    CHECK(rig.joints.size() + 2 * rig.connections.size() >= expected + splits.size());
     // Each child's bone goes from where it hangs to its own joint.
     for (const Connection& c : rig.connections) {
       const auto is_there = [&](const std::array<uint32_t, 2>& bone) {

@@ -147,9 +147,16 @@ inline std::string faultOf(const std::vector<Connection>& connections, const Ass
     parent_of[c.child] = c.parent;
     const PartSkeleton& child = assembly.parts[c.child].part->skeleton;
     const PartSkeleton& parent = assembly.parts[c.parent].part->skeleton;
-    if (child.joints.at(c.child_joint).kind == JointKind::sleeve) return "hangs by a sleeve";
     const Frame &frame = assembly.placed[c.child].frame, &on = assembly.placed[c.parent].frame;
-    if (!(frame.toWorld(child.joints[c.child_joint].position) == c.child_position)) {
+    Vec2 by = child.joints.at(c.child_joint).position;
+    if (c.child_split) {
+      const auto& bone = child.bones.at(c.child_bone);
+      if (!(c.child_along > 0 && c.child_along < 1) || c.child_joint != bone[0]) {
+        return "the child is split at an end";
+      }
+      by = lerp(by, child.joints[bone[1]].position, c.child_along);
+    }
+    if (!(distance(frame.toWorld(by), c.child_position) <= 1e-9 * frame.scale() * 1000)) {
       return "child's place";
     }
     Vec2 at = parent.joints.at(c.parent_joint).position;
