@@ -1,6 +1,7 @@
 #include "document/evaluation.h"
 
 #include <algorithm>
+#include <cstring>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -20,6 +21,24 @@ bool hangsAsBefore(const EvaluatedPart& before, const EvaluatedPart& now) {
 using SharedMesh = std::shared_ptr<const Mesh>;
 bool isSameMesh(const SharedMesh& a, const SharedMesh& b) {
   return a == b || (a && b && a->positions == b->positions && a->triangles == b->triangles);
+}
+
+bool isSameShape(const PartSource& a, const PartSource& b) {
+  return a.stroke == b.stroke && isSameMesh(a.mesh, b.mesh);
+}
+
+uint64_t mixed(uint64_t hash, double number) {
+  number += 0.0;  // −0 is 0
+  uint64_t bits;
+  std::memcpy(&bits, &number, sizeof bits);
+  return (hash ^ bits ^ (bits >> 32)) * 0x100000001B3ull;
+}
+
+/// The same for parts of the same shape [FNV-1a, by words].
+uint64_t hashOfShape(const PartSource& part) {
+  uint64_t hash = 0xCBF29CE484222325ull;
+  for (const Vec2 p : part.stroke) hash = mixed(mixed(hash, p.x), p.y);
+  return part.mesh ? mixed(hash, static_cast<double>(part.mesh->positions.size())) : hash;
 }
 
 }  // namespace
@@ -44,6 +63,7 @@ void Evaluation::update(const Document& document) {
     if (same_places) same_places = hangsAsBefore(parts_[parts.size() - 1], parts.back());
   }
   parts_ = std::move(parts);
+  known_.clear();
   if (!same) updateRig(document, same_places);
 }
 
@@ -51,40 +71,71 @@ EvaluatedPart Evaluation::evaluate(const std::shared_ptr<const PartSource>& sour
                                    const EvaluatedPart* before) {
   if (!before) return rebuild(source);
   if (source == before->source) return *before;
-  if (source->stroke != before->source->stroke || !isSameMesh(source->mesh, before->source->mesh)) {
-    return rebuild(source);
-  }
+  if (!isSameShape(*source, *before->source)) return rebuild(source);
 
   EvaluatedPart next = *before;
   next.source = source;
   if (source->thickness == before->source->thickness || !before->part) return next;
-  ++recomputed_;
-  next.mesh_id = next_id_++;
-  next.skeleton_id = next_id_++;
-  next.part = std::make_shared<const Part>(withThickness(*next.part, source->thickness, clock_));
-  timings_.add(next.part->timings);
-  addTwin(next);
-  return next;
+  return rebuild(source);
 }
 
 EvaluatedPart Evaluation::rebuild(const std::shared_ptr<const PartSource>& source) {
-  ++recomputed_;
+  const EvaluatedPart* like = findLike(*source);
   EvaluatedPart next;
+  if (like) next = *like;
   next.source = source;
-  next.mesh_id = next_id_++;
   next.skeleton_id = next_id_++;
-  PartOptions options = options_;
-  options.inflate.thickness = source->thickness;
-  auto part = source->mesh ? importPart(*source->mesh, source->stroke, options, clock_)
-                           : buildPart(source->stroke, options, clock_);
-  if (part) {
-    timings_.add(part->timings);
-    next.part = std::make_shared<const Part>(std::move(*part));
+  if (like && (!like->part || source->thickness == like->source->thickness)) return next;
+  ++recomputed_;
+  next.mesh_id = next_id_++;
+  if (like) {
+    next.part = std::make_shared<const Part>(withThickness(*like->part, source->thickness, clock_));
+    timings_.add(next.part->timings);
     addTwin(next);
   } else {
-    next.error = part.error();
+    PartOptions options = options_;
+    options.inflate.thickness = source->thickness;
+    auto part = source->mesh ? importPart(*source->mesh, source->stroke, options, clock_)
+                             : buildPart(source->stroke, options, clock_);
+    if (part) {
+      timings_.add(part->timings);
+      next.part = std::make_shared<const Part>(std::move(*part));
+      addTwin(next);
+    } else {
+      next.error = part.error();
+    }
   }
+  remember(next);
   return next;
+}
+
+/// A part of the same shape that is there already; of the same thickness, if there is one.
+const EvaluatedPart* Evaluation::findLike(const PartSource& source) {
+  if (known_.empty()) {
+    for (const EvaluatedPart& part : parts_) remember(part);
+  }
+  const uint64_t shape = hashOfShape(source);
+  const EvaluatedPart* same = findKnown(source, mixed(shape, source.thickness), true);
+  return same ? same : findKnown(source, shape, false);
+}
+
+const EvaluatedPart* Evaluation::findKnown(const PartSource& source, uint64_t hash,
+                                           bool of_thickness) const {
+  const auto [first, end] = known_.equal_range(hash);
+  for (auto at = first; at != end; ++at) {
+    const PartSource& one = *at->second.source;
+    if (of_thickness && one.thickness != source.thickness) continue;
+    if (isSameShape(one, source)) return &at->second;
+  }
+  return nullptr;
+}
+
+/// One of each shape and one of each thickness of it are enough.
+void Evaluation::remember(const EvaluatedPart& part) {
+  const PartSource& source = *part.source;
+  const uint64_t shape = hashOfShape(source), body = mixed(shape, source.thickness);
+  if (!findKnown(source, shape, false)) known_.emplace(shape, part);
+  if (!findKnown(source, body, true)) known_.emplace(body, part);
 }
 
 void Evaluation::addTwin(EvaluatedPart& evaluated) {

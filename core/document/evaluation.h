@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "document/document.h"
@@ -14,14 +15,15 @@
 
 namespace marrow {
 
-/// A part of the document with what was derived from it, in its own plane.
+/// A part of the document with what was derived from it, in its own plane. Parts of the same stroke
+/// (or imported mesh) and thickness have the same body, which is there but once.
 struct EvaluatedPart {
   std::shared_ptr<const PartSource> source;
   std::shared_ptr<const Part> part;  // null when `error` says why
   Error error;
   std::shared_ptr<const Part> twin;  // in the mirror z = 0, where it is imported: a drawn one is
                                      // the same there
-  uint64_t mesh_id = 0;              // changes when the mesh does; never reused
+  uint64_t mesh_id = 0;              // changes when the mesh does; that of another mesh never
   uint64_t twin_mesh_id = 0;
   uint64_t skeleton_id = 0;  // changes when joints or bones do; never reused
 
@@ -56,7 +58,7 @@ class Evaluation {
   /// drawn, add that one (its twin too) and call makeRig. Valid until the next update.
   std::vector<RigPart> rigParts() const;
 
-  /// How many parts the last update had to compute, wholly or in part.
+  /// How many bodies the last update had to compute, wholly or in part.
   size_t recomputed() const { return recomputed_; }
   /// How long the last update took: stages of the parts it computed, then connection, refinement.
   const Timings& timings() const { return timings_; }
@@ -65,12 +67,16 @@ class Evaluation {
   EvaluatedPart evaluate(const std::shared_ptr<const PartSource>& source,
                          const EvaluatedPart* before);
   EvaluatedPart rebuild(const std::shared_ptr<const PartSource>& source);
+  const EvaluatedPart* findLike(const PartSource& source);
+  const EvaluatedPart* findKnown(const PartSource& source, uint64_t hash, bool of_thickness) const;
+  void remember(const EvaluatedPart& part);
   void addTwin(EvaluatedPart& evaluated);
   void updateRig(const Document& document, bool same_places);
 
   PartOptions options_;
   Clock clock_;
   std::vector<EvaluatedPart> parts_;
+  std::unordered_multimap<uint64_t, EvaluatedPart> known_;  // while updating: by hashes
   std::vector<PlacedPart> placed_;
   Refinement refine_;
   std::vector<Connection> connections_;

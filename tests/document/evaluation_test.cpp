@@ -146,6 +146,41 @@ TEST_CASE("evaluation: thickness redoes neither skeleton nor triangulation", "[e
   requireFresh(evaluation, document);
 }
 
+TEST_CASE("evaluation: parts of the same stroke and thickness share one body", "[evaluation]") {
+  Document document;
+  for (int i = 0; i < 20; ++i) document = with(document, AddPart{softStar(6, 90)});
+  document = with(document, SetThickness{{"part-20"}, 2});
+  Evaluation evaluation;
+  evaluation.update(document);
+  CHECK(evaluation.recomputed() == 2);
+  const auto& parts = evaluation.parts();
+  for (size_t i = 1; i < 19; ++i) {
+    CHECK(parts[i].part == parts[0].part);
+    CHECK(parts[i].mesh_id == parts[0].mesh_id);
+    CHECK(parts[i].skeleton_id != parts[0].skeleton_id);
+  }
+  CHECK(parts[19].part != parts[0].part);
+  CHECK(parts[19].mesh_id != parts[0].mesh_id);
+  requireFresh(evaluation, document);
+
+  // One that goes its own way leaves the others theirs, and finds back.
+  document = with(document, SetThickness{{"part-3"}, 3});
+  evaluation.update(document);
+  CHECK(evaluation.recomputed() == 1);
+  CHECK(evaluation.parts()[2].part != evaluation.parts()[0].part);
+  requireFresh(evaluation, document);
+  document = with(document, SetThickness{{"part-3"}, 1});
+  evaluation.update(document);
+  CHECK(evaluation.recomputed() == 0);
+  CHECK(evaluation.parts()[2].part == evaluation.parts()[0].part);
+
+  // A copy that is added later costs nothing either.
+  document = with(document, AddPart{softStar(6, 90)});
+  evaluation.update(document);
+  CHECK(evaluation.recomputed() == 0);
+  CHECK(evaluation.parts()[20].part == evaluation.parts()[0].part);
+}
+
 TEST_CASE("evaluation: placing and refining build no part anew", "[evaluation]") {
   Document document = drawnDocument(3);
   Evaluation evaluation;
