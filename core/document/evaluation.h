@@ -25,6 +25,7 @@ struct EvaluatedPart {
                                      // the same there
   uint64_t mesh_id = 0;              // changes when the mesh does; that of another mesh never
   uint64_t twin_mesh_id = 0;
+  int points = 0;            // of its mesh, as aimed at (see pointsOfPart)
   uint64_t skeleton_id = 0;  // changes when joints or bones do; never reused
 
   /// The shape of a placed part, and the number of its mesh.
@@ -35,6 +36,14 @@ struct EvaluatedPart {
     return placed.twin && twin ? twin_mesh_id : mesh_id;
   }
 };
+
+/// Large characters are made of small parts. The mesh of the n-th part of a document aims at `full`
+/// points for the first 64, at a quarter of that, about what a preview has, for as many again, and
+/// at half as many whenever n doubles from there: a body of thousands of parts has a few times the
+/// points of one of 64. Copies in the same place count as one, and those
+/// elsewhere all have the points of the one in the middle of them. So a part that is added changes
+/// no other, unless that is a copy of it.
+int pointsOfPart(size_t index, int full);
 
 class Evaluation {
  public:
@@ -64,11 +73,12 @@ class Evaluation {
   const Timings& timings() const { return timings_; }
 
  private:
-  EvaluatedPart evaluate(const std::shared_ptr<const PartSource>& source,
+  EvaluatedPart evaluate(const std::shared_ptr<const PartSource>& source, int points,
                          const EvaluatedPart* before);
-  EvaluatedPart rebuild(const std::shared_ptr<const PartSource>& source);
-  const EvaluatedPart* findLike(const PartSource& source);
-  const EvaluatedPart* findKnown(const PartSource& source, uint64_t hash, bool of_thickness) const;
+  EvaluatedPart rebuild(const std::shared_ptr<const PartSource>& source, int points);
+  const EvaluatedPart* findLike(const PartSource& source, int points);
+  const EvaluatedPart* findKnown(const PartSource& source, int points, uint64_t hash,
+                                 bool of_thickness) const;
   void remember(const EvaluatedPart& part);
   void addTwin(EvaluatedPart& evaluated);
   void updateRig(const Document& document, bool same_places);

@@ -250,11 +250,14 @@ class Connecting {
     for (uint32_t i = first; i < end; ++i) {
       uint32_t other = i;
       if (swap && image_[i] != kNone && image_[i] >= first && image_[i] < end) other = image_[i];
-      if (other == child || other == image_[child] || !canHold(other, child)) continue;
+      if (other == child || other == image_[child]) continue;
+      const Proxy &one = proxies_[child], &two = proxies_[other];
+      if (!one.box.meets(two.box) && !one.body.meets(two.body)) continue;
+      // Who holds whom takes as long to find as chains are long: asked of neighbours alone.
+      if (!canHold(other, child)) continue;
       // What the user took off is not to be taken back from the other side.
       if (other > child && isTakenOff(treeOf(other))) continue;
-      const Proxy &one = proxies_[child], &two = proxies_[other];
-      if (one.box.meets(two.box) || one.body.meets(two.body)) candidates_.push_back(other);
+      candidates_.push_back(other);
     }
     attachTo(child, candidates_);
   }

@@ -1,6 +1,7 @@
 #include "weights/voxels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -127,6 +128,9 @@ std::vector<VoxelIndex> thinPlaces(const Voxels& voxels, const std::vector<Corne
   for (const auto& [a, b, c] : triangles) volume += dot(a.at, cross(b.at, c.at));
   const double outward = volume < 0 ? -1 : 1;
   std::vector<VoxelIndex> found;
+  constexpr std::array<double, 3> kDepths = {0.25, 0.5, 1.0};
+  std::array<VoxelIndex, 3> last;  // neighbours mostly say the same
+  last.fill({-1, -1, -1});
   for (const Corners& triangle : triangles) {
     const Vec3 a = triangle[0].at, ab = triangle[1].at - a, ac = triangle[2].at - a;
     const Vec3 normal = cross(ab, ac);
@@ -142,7 +146,12 @@ std::vector<VoxelIndex> thinPlaces(const Voxels& voxels, const std::vector<Corne
         const VoxelIndex below = voxelAt(p + inward * kDepth);
         if (voxels.has(below.x, below.y, below.z)) continue;
         // None that only touches the surface: it might touch another limb's.
-        for (const double depth : {0.25, 0.5, 1.0}) found.push_back(voxelAt(p + inward * depth));
+        for (size_t k = 0; k < kDepths.size(); ++k) {
+          const VoxelIndex at = voxelAt(p + inward * kDepths[k]);
+          if (at.x == last[k].x && at.y == last[k].y && at.z == last[k].z) continue;
+          last[k] = at;
+          found.push_back(at);
+        }
       }
     }
   }
