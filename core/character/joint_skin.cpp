@@ -52,9 +52,9 @@ VertexSkin skinOf(JointWeights joints) {
     others += skin.weights[k];
   }
   // Equal but for the rounding of the rest: the order stays.
-  if (skin.weights[0] < skin.weights[1]) {
-    std::swap(skin.weights[0], skin.weights[1]);
-    std::swap(skin.joints[0], skin.joints[1]);
+  for (size_t k = 0; k + 1 < joints.size() && skin.weights[k] < skin.weights[k + 1]; ++k) {
+    std::swap(skin.weights[k], skin.weights[k + 1]);
+    std::swap(skin.joints[k], skin.joints[k + 1]);
   }
   return skin;
 }

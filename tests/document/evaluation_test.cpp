@@ -230,7 +230,7 @@ TEST_CASE("evaluation: thousands of parts have a few times the points of 64", "[
   }
   evaluation.update(document);
   CHECK(evaluation.recomputed() == 1);
-  CHECK(evaluation.parts()[529].points == 125);
+  CHECK(evaluation.parts()[529].points == 62);
   CHECK(evaluation.parts()[529].part == evaluation.parts()[0].part);
   requireFresh(evaluation, document);
 }
