@@ -1,6 +1,7 @@
 #include "character/character.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <map>
@@ -69,6 +70,56 @@ void report(const std::vector<VertexSkin>& skin, Character::WeightReport& into) 
   }
 }
 
+/// Bones in the same place, as copies of a part have them, hold the same: it is worked out once,
+/// and they share it.
+class DistinctBones {
+ public:
+  explicit DistinctBones(const std::vector<Segment>& bones) {
+    std::map<std::array<double, 6>, size_t> known;
+    for (uint32_t bone = 0; bone < bones.size(); ++bone) {
+      const auto& [a, b] = bones[bone];
+      const auto [at, is_new] =
+          known.emplace(std::array{a.x, a.y, a.z, b.x, b.y, b.z}, segments_.size());
+      if (is_new) {
+        segments_.push_back(bones[bone]);
+        bones_.emplace_back();
+      }
+      bones_[at->second].push_back(bone);
+    }
+    count_ = bones.size();
+  }
+
+  const std::vector<Segment>& segments() const { return segments_; }
+
+  /// Influences of segments as those of bones, as far as there is room for them.
+  void share(std::vector<Influences>& influences) const {
+    if (segments_.size() == count_) return;
+    std::vector<Influence> all;
+    for (Influences& own : influences) {
+      all.clear();
+      for (const Influence& one : own) {
+        if (!(one.weight > 0)) continue;
+        const std::vector<uint32_t>& bones = bones_[one.bone];
+        const double weight = one.weight / static_cast<double>(bones.size());
+        for (const uint32_t bone : bones) all.push_back({bone, weight});
+      }
+      std::sort(all.begin(), all.end(), [](const Influence& a, const Influence& b) {
+        return a.weight != b.weight ? a.weight > b.weight : a.bone < b.bone;
+      });
+      all.resize(std::min(all.size(), own.size()));
+      double sum = 0;
+      for (const Influence& one : all) sum += one.weight;
+      own = {};
+      for (size_t i = 0; i < all.size(); ++i) own[i] = {all[i].bone, all[i].weight / sum};
+    }
+  }
+
+ private:
+  std::vector<Segment> segments_;
+  std::vector<std::vector<uint32_t>> bones_;  // of each segment
+  size_t count_ = 0;
+};
+
 /// Of a merged body: its vertices follow what those of the merged surface follow.
 void skinBody(const std::vector<JointWeights>& weights, Character& character) {
   std::vector<VertexSkin> skin;
@@ -76,6 +127,7 @@ void skinBody(const std::vector<JointWeights>& weights, Character& character) {
   for (const JointWeights& one : weights) skin.push_back(skinOf(one));
   for (SkinnedMesh& body : character.meshes) {
     body.skin.clear();
+    body.skin.reserve(body.merged_vertex.size());
     for (const uint32_t v : body.merged_vertex) body.skin.push_back(skin[v]);
   }
 }
@@ -84,6 +136,7 @@ void skinBody(const std::vector<JointWeights>& weights, Character& character) {
 SkinnedMesh withNormals(const MergedMesh& merged) {
   SplitVertices split = splitByNormals(merged.mesh, merged.corner_normals);
   SkinnedMesh made;
+  made.mesh.positions.reserve(split.vertices.size());
   for (const uint32_t v : split.vertices) made.mesh.positions.push_back(merged.mesh.positions[v]);
   made.mesh.triangles = std::move(split.triangles);
   made.normals = std::move(split.normals);
@@ -178,6 +231,7 @@ class Maker {
     if (made_.merged.mesh.triangles.empty()) return;
     SkinnedMesh body = withNormals(made_.merged);
     body.name = "Body";
+    body.paint_of_triangle.reserve(made_.merged.part_of_triangle.size());
     for (const uint32_t part : made_.merged.part_of_triangle) {
       body.paint_of_triangle.push_back(paint_of_[part]);
     }
@@ -231,15 +285,18 @@ class Maker {
       weighting.symmetry = options_.symmetry;
     }
     const Mesh& merged = made_.merged.mesh;
-    const auto field = WeightField::make(merged, boneSegments(rig), weighting, progress, clock_);
+    const DistinctBones bones(boneSegments(rig));
+    const auto field = WeightField::make(merged, bones.segments(), weighting, progress, clock_);
     watch_.lap("weights");
     if (!field) {
       made_.weights.reset();
       made_.no_weights = field.message();
       return;
     }
-    made_.unpainted = jointWeights(field->at(merged), rig);
-    std::vector<JointWeights> painted = made_.unpainted;
+    made_.unpainted = weightsOf(*field, bones, merged);
+    std::vector<JointWeights> own;  // only where there is something to paint
+    if (!options_.strokes.empty()) own = made_.unpainted;
+    std::vector<JointWeights>& painted = own.empty() ? made_.unpainted : own;
     const auto goOn = [&] { return !seen_.progress || seen_.progress(done); };
     const auto reached = paintOver(merged, rig, options_.strokes, goOn, painted);
     if (!reached) {
@@ -251,17 +308,25 @@ class Maker {
     if (options_.merged) {
       skinBody(painted, made_);
     } else {
-      for (SkinnedMesh& part : made_.meshes) skinPart(*field, painted, *reached, part);
+      for (SkinnedMesh& part : made_.meshes) {
+        skinPart(weightsOf(*field, bones, part.mesh), painted, *reached, part);
+      }
     }
     weights.min = 1;
     for (const SkinnedMesh& mesh : made_.meshes) report(mesh.skin, weights);
     watch_.lap("vertices");
   }
 
+  std::vector<JointWeights> weightsOf(const WeightField& field, const DistinctBones& bones,
+                                      const Mesh& mesh) const {
+    std::vector<Influences> influences = field.at(mesh);
+    bones.share(influences);
+    return jointWeights(influences, evaluation_.rig());
+  }
+
   /// What was painted on the body shows on the parts that it was made of.
-  void skinPart(const WeightField& field, const std::vector<JointWeights>& painted,
+  void skinPart(std::vector<JointWeights> own, const std::vector<JointWeights>& painted,
                 const std::vector<char>& reached, SkinnedMesh& part) {
-    std::vector<JointWeights> own = jointWeights(field.at(part.mesh), evaluation_.rig());
     if (std::find(reached.begin(), reached.end(), 1) != reached.end()) {
       const auto nearest = nearestVertices(made_.merged.mesh, part.mesh.positions);
       for (size_t i = 0; i < own.size(); ++i) {

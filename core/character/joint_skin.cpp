@@ -1,6 +1,7 @@
 #include "character/joint_skin.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace marrow {
@@ -8,21 +9,22 @@ namespace {
 
 /// The weights of bones as those of the joints that they leave.
 JointWeights ofVertex(const Influences& influences, const Rig& rig) {
-  JointWeights weights;
+  std::array<JointWeight, kMostInfluences> weights;
+  auto end = weights.begin();
   for (const Influence& one : influences) {
     if (!(one.weight > 0)) continue;
     const uint32_t joint = rig.bones[one.bone][0];
-    const auto same = std::find_if(weights.begin(), weights.end(),
-                                   [&](const JointWeight& other) { return other.joint == joint; });
-    if (same == weights.end()) {
-      weights.push_back({joint, one.weight});
+    const auto at = std::find_if(weights.begin(), end,
+                                 [&](const JointWeight& other) { return other.joint >= joint; });
+    if (at != end && at->joint == joint) {
+      at->weight += one.weight;
     } else {
-      same->weight += one.weight;
+      std::move_backward(at, end, end + 1);
+      *at = {joint, one.weight};
+      ++end;
     }
   }
-  std::sort(weights.begin(), weights.end(),
-            [](const JointWeight& a, const JointWeight& b) { return a.joint < b.joint; });
-  return weights;
+  return JointWeights(weights.begin(), end);
 }
 
 }  // namespace
@@ -57,9 +59,9 @@ VertexSkin skinOf(JointWeights joints) {
     others += skin.weights[k];
   }
   // Equal but for the rounding of the rest: the order stays.
-  if (skin.weights[0] < skin.weights[1]) {
-    std::swap(skin.weights[0], skin.weights[1]);
-    std::swap(skin.joints[0], skin.joints[1]);
+  for (size_t k = 0; k + 1 < joints.size() && skin.weights[k] < skin.weights[k + 1]; ++k) {
+    std::swap(skin.weights[k], skin.weights[k + 1]);
+    std::swap(skin.joints[k], skin.joints[k + 1]);
   }
   return skin;
 }

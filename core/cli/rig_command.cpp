@@ -126,17 +126,19 @@ int runRig(const std::vector<std::string>& words) {
     if (!made.no_weights.empty()) {
       warnings.push_back(path + ": the meshes follow no bone: " + made.no_weights);
     }
-    const GlbCharacter model = glbOf(made, character.rig(), *document, stem(fileName(path)));
-    GlbOptions how;
-    how.metres_per_unit = arguments->findNumber("--scale").value_or(how.metres_per_unit);
-    const auto add = [&](const std::string* out, const auto& write) {
-      if (!out) return true;
-      const Result<std::string> bytes = write(model, how);
-      if (bytes) files.push_back({*out, *bytes});
-      return static_cast<bool>(bytes);
-    };
-    if (!add(glb, toGlb) || !add(gltf, toGltf)) {
-      return refuse(path + ": it is too large for a glTF file");
+    if (glb || gltf) {
+      const GlbCharacter model = glbOf(made, character.rig(), *document, stem(fileName(path)));
+      GlbOptions how;
+      how.metres_per_unit = arguments->findNumber("--scale").value_or(how.metres_per_unit);
+      const auto add = [&](const std::string* out, const auto& write) {
+        if (!out) return true;
+        const Result<std::string> bytes = write(model, how);
+        if (bytes) files.push_back({*out, *bytes});
+        return static_cast<bool>(bytes);
+      };
+      if (!add(glb, toGlb) || !add(gltf, toGltf)) {
+        return refuse(path + ": it is too large for a glTF file");
+      }
     }
     if (json) addCharacter(tree, made);
   }

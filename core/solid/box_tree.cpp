@@ -36,8 +36,11 @@ BoxTree::BoxTree(std::vector<Box3> boxes) {
     order_.push_back(static_cast<uint32_t>(code));
     boxes_.push_back(boxes[order_.back()]);
   }
+  // They are large where trees are.
+  std::vector<uint64_t>().swap(codes);
+  std::vector<Box3>().swap(boxes);
 
-  while (size_t{leaves_} * kLeafSize < boxes.size()) leaves_ *= 2;
+  while (size_t{leaves_} * kLeafSize < boxes_.size()) leaves_ *= 2;
   nodes_.resize(2 * size_t{leaves_});
   for (size_t i = 0; i < boxes_.size(); ++i) {
     Box3& node = nodes_[leaves_ + i / kLeafSize];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "solid/box_tree.h"
 #include "solid/depth.h"
@@ -34,7 +35,6 @@ class Cutter {
   explicit Cutter(const Soup& soup) : soup_(soup) {}
 
   Cut run() {
-    makeFacets();
     findSegments();
     if (cut_.ok) orderPiercings();
     if (cut_.ok) measureDepths();
@@ -62,28 +62,77 @@ class Cutter {
     cut_.other = part(u);
   }
 
-  void makeFacets() {
-    facets_.reserve(soup_.triangles.size());
-    for (const auto& [a, b, c] : soup_.triangles) {
+  /// Triangles that come near another part; all others are left alone.
+  struct Near {
+    std::vector<uint32_t> triangles;
+    BoxTree tree;
+  };
+  struct Crossing {
+    uint32_t t, u;
+    std::array<End, 2> ends;
+  };
+
+  Box3 boxOf(uint32_t triangle) const {
+    Box3 box;
+    for (const uint32_t i : soup_.triangles[triangle]) box.include(soup_.points[i]);
+    return box;
+  }
+
+  const Facet& facet(uint32_t triangle) const { return facets_[facet_of_[triangle]]; }
+
+  /// The triangles of `part` whose boxes meet that of one of the others, with their facets.
+  Near nearTriangles(uint32_t part, const std::vector<Box3>& part_boxes,
+                     const std::vector<uint32_t>& others) {
+    Near near{{}, BoxTree(std::vector<Box3>{})};
+    std::vector<Box3> boxes;
+    for (uint32_t t = first_[part]; t < first_[part + 1]; ++t) {
+      const Box3 box = boxOf(t);
+      const bool is_near = std::any_of(others.begin(), others.end(), [&](uint32_t other) {
+        return box.meets(part_boxes[other]);
+      });
+      if (!is_near) continue;
+      near.triangles.push_back(t);
+      boxes.push_back(box);
+      const auto& [a, b, c] = soup_.triangles[t];
+      facet_of_[t] = static_cast<uint32_t>(facets_.size());
       facets_.emplace_back(soup_.points[a], soup_.points[b], soup_.points[c]);
     }
+    cut_.examined += near.triangles.size();
+    near.tree = BoxTree(std::move(boxes));
+    return near;
   }
 
   void findSegments() {
-    const std::vector<uint32_t> first = firstTriangles(soup_);
-    std::vector<BoxTree> trees;
-    for (size_t p = 0; p + 1 < first.size(); ++p) {
-      std::vector<Box3> boxes(first[p + 1] - first[p]);
-      for (uint32_t t = first[p]; t < first[p + 1]; ++t) {
-        for (const uint32_t i : soup_.triangles[t]) boxes[t - first[p]].include(soup_.points[i]);
+    first_ = firstTriangles(soup_);
+    facet_of_.assign(soup_.triangles.size(), kNone);
+    const std::vector<Box3> boxes = partBoxes(soup_);
+    const auto parts = static_cast<uint32_t>(boxes.size());
+    std::vector<std::vector<uint32_t>> neighbours(parts);
+    BoxTree(boxes).pairs([&](uint32_t p, uint32_t q) {
+      neighbours[p].push_back(q);
+      neighbours[q].push_back(p);
+    });
+    // Trees live from the first to the last pair that they are of.
+    std::vector<std::unique_ptr<Near>> near(parts);
+    const auto nearOf = [&](uint32_t part) -> const Near& {
+      if (!near[part]) {
+        near[part] = std::make_unique<Near>(nearTriangles(part, boxes, neighbours[part]));
       }
-      trees.emplace_back(std::move(boxes));
-    }
-    for (size_t p = 0; p < trees.size(); ++p) {
-      for (size_t q = p + 1; q < trees.size(); ++q) {
-        trees[p].pairs(trees[q],
-                       [&](uint32_t i, uint32_t j) { crossTriangles(first[p] + i, first[q] + j); });
+      return *near[part];
+    };
+    for (uint32_t p = 0; p < parts; ++p) {
+      std::sort(neighbours[p].begin(), neighbours[p].end());
+      for (const uint32_t q : neighbours[p]) {
+        if (q < p) continue;
+        const Near &one = nearOf(p), &other = nearOf(q);
+        ++cut_.pairs;
+        found_.clear();
+        one.tree.pairs(other.tree, [&](uint32_t i, uint32_t j) {
+          crossTriangles(one.triangles[i], other.triangles[j]);
+        });
+        addCrossings();
       }
+      near[p].reset();
     }
     cut_.crossings = segments_.size();
 
@@ -102,18 +151,32 @@ class Cutter {
     }
   }
 
+  /// In an order that does not hang on that of the trees.
+  void addCrossings() {
+    std::sort(found_.begin(), found_.end(), [](const Crossing& a, const Crossing& b) {
+      return a.t != b.t ? a.t < b.t : a.u < b.u;
+    });
+    for (Crossing& crossing : found_) {
+      for (End& end : crossing.ends) {
+        end.segment = static_cast<uint32_t>(segments_.size());
+        ends_.push_back(end);
+      }
+      segments_.push_back({crossing.t, crossing.u, kNone, kNone});
+    }
+  }
+
   void crossTriangles(uint32_t t, uint32_t u) {
     int over_u[3], over_t[3];
-    for (int i = 0; i < 3; ++i) over_u[i] = facets_[u].side(corner(t, i));
+    for (int i = 0; i < 3; ++i) over_u[i] = facet(u).side(corner(t, i));
     if (over_u[0] == over_u[1] && over_u[1] == over_u[2] && over_u[0] != 0) return;
-    for (int i = 0; i < 3; ++i) over_t[i] = facets_[t].side(corner(u, i));
+    for (int i = 0; i < 3; ++i) over_t[i] = facet(t).side(corner(u, i));
     if (over_t[0] == over_t[1] && over_t[1] == over_t[2] && over_t[0] != 0) return;
     for (int i = 0; i < 3; ++i) {
       if (over_u[i] == 0 || over_t[i] == 0) return fail(t, u);
     }
 
-    End found[2];
-    int count = 0;
+    std::array<End, 2> found;
+    size_t count = 0;
     const auto pierce = [&](uint32_t from, uint32_t through, const int* over, bool of_t) {
       for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
@@ -124,17 +187,14 @@ class Cutter {
                        b = soup_.triangles[from][static_cast<size_t>(j)];
         // The border of what is outside `through` turns into the segment where the edge goes in.
         const bool goes_in = over[i] > 0;
-        found[count++] = {edgeKey(a, b), through, static_cast<uint32_t>(segments_.size()),
-                          goes_in == of_t, (a < b) == goes_in};
+        found[count++] = {edgeKey(a, b), through, kNone, goes_in == of_t, (a < b) == goes_in};
       }
     };
     pierce(t, u, over_u, true);
     pierce(u, t, over_t, false);
     if (!cut_.ok || count == 0) return;
     if (count != 2 || found[0].source == found[1].source) return fail(t, u);
-    segments_.push_back({t, u, kNone, kNone});
-    ends_.push_back(found[0]);
-    ends_.push_back(found[1]);
+    found_.push_back({t, u, found});
   }
 
   /// Whether the line through an edge of one triangle passes inside another.
@@ -163,7 +223,7 @@ class Cutter {
       for (size_t i = first + 1; i < end; ++i) {
         for (size_t j = i; j > first; --j) {
           const uint32_t a = piercings_[order[j - 1]].triangle, b = piercings_[order[j]].triangle;
-          const int which = firstMet(low, high, facets_[a], facets_[b]);
+          const int which = firstMet(low, high, facet(a), facet(b));
           if (which == 0) fail(a, b);
           if (which <= 0) break;
           std::swap(order[j - 1], order[j]);
@@ -196,8 +256,8 @@ class Cutter {
     cut_.points.reserve(soup_.points.size() + piercings_.size());
     for (const Piercing& piercing : piercings_) {
       const uint32_t a = lowEnd(piercing.edge), b = highEnd(piercing.edge);
-      const Facet& facet = facets_[piercing.triangle];
-      const double from = exactly(facet, soup_.points[a]), to = exactly(facet, soup_.points[b]);
+      const Facet& pierced = facet(piercing.triangle);
+      const double from = exactly(pierced, soup_.points[a]), to = exactly(pierced, soup_.points[b]);
       const double share = from / (from - to);
       cut_.points.push_back(lerp(soup_.points[a], soup_.points[b], share));
       cut_.origins.push_back({a, b, share, {piercing.triangle, 0, 0}});
@@ -216,7 +276,7 @@ class Cutter {
   int side(uint32_t piercing, uint32_t triangle) const {
     const Piercing& p = piercings_[piercing];
     return sideOfPiercing(soup_.points[lowEnd(p.edge)], soup_.points[highEnd(p.edge)],
-                          facets_[p.triangle], facets_[triangle]);
+                          facet(p.triangle), facet(triangle));
   }
 
   void findTriples() {
@@ -274,7 +334,7 @@ class Cutter {
       const int from = side(s.source, plane), to = side(s.target, plane);
       if (from == 0 || to == 0) fail(t, plane);
       if (from == to) return false;
-      const Vec3 normal = facets_[plane].normal(), on = corner(plane, 0);
+      const Vec3 normal = facet(plane).normal(), on = corner(plane, 0);
       const double a = dot(normal, pointOf(s.source) - on), b = dot(normal, pointOf(s.target) - on);
       stop.segment = segment;
       stop.share = a != b ? std::min(std::max(a / (a - b), 0.0), 1.0) : 0.5;
@@ -363,7 +423,10 @@ class Cutter {
 
   const Soup& soup_;
   Cut cut_;
-  std::vector<Facet> facets_;
+  std::vector<uint32_t> first_;  // triangle of each part; one more at the end
+  std::vector<Facet> facets_;    // of triangles near other parts
+  std::vector<uint32_t> facet_of_;
+  std::vector<Crossing> found_;  // of the present pair of parts
   std::vector<End> ends_;
   std::vector<Segment> segments_;
   std::vector<Piercing> piercings_;  // by edge, and along it

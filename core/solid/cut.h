@@ -43,6 +43,8 @@ struct Cut {
   std::vector<uint32_t> whole;    // triangles of the soup that stay as they are
   std::vector<OpenEdge> borders;  // around what stays of the others, triangle by triangle
   size_t crossings = 0;           // pairs of triangles that pass through each other
+  size_t pairs = 0;               // of parts whose boxes meet
+  size_t examined = 0;            // triangles whose boxes meet that of another part
 
   bool ok = true;  // false: not in general position, by these two parts
   uint32_t part = 0, other = 0;

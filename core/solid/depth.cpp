@@ -1,6 +1,6 @@
 #include "solid/depth.h"
 
-#include "base/box.h"
+#include "solid/box_tree.h"
 
 namespace marrow {
 namespace {
@@ -10,12 +10,10 @@ constexpr int kUnknown = 1 << 30;
 class DepthFinder {
  public:
   DepthFinder(const Soup& soup, std::vector<Piercing>& piercings)
-      : soup_(soup), piercings_(piercings), first_triangle_(firstTriangles(soup)) {
-    boxes_.resize(first_triangle_.size() - 1);
-    for (size_t i = 0; i < soup.points.size(); ++i) {
-      boxes_[soup.part_of_point[i]].include(soup.points[i]);
-    }
-  }
+      : soup_(soup),
+        piercings_(piercings),
+        first_triangle_(firstTriangles(soup)),
+        parts_(partBoxes(soup)) {}
 
   PointDepths run() {
     joinPoints();
@@ -109,8 +107,14 @@ class DepthFinder {
   int depthByRay(uint32_t point) {
     const Vec3 p = soup_.points[point];
     int depth = 0;
-    for (uint32_t part = 0; part < boxes_.size(); ++part) {
-      if (part == soup_.part_of_point[point] || !boxes_[part].has(p)) continue;
+    std::vector<uint32_t> around;
+    Box3 here;
+    here.include(p);
+    parts_.pairs(BoxTree(std::vector<Box3>{here}),
+                 [&](uint32_t part, uint32_t) { around.push_back(part); });
+    std::sort(around.begin(), around.end());
+    for (const uint32_t part : around) {
+      if (part == soup_.part_of_point[point]) continue;
       for (uint32_t t = first_triangle_[part]; t < first_triangle_[part + 1]; ++t) {
         const auto& triangle = soup_.triangles[t];
         const Vec3 a = soup_.points[triangle[0]], b = soup_.points[triangle[1]],
@@ -155,7 +159,7 @@ class DepthFinder {
   std::vector<Piercing>& piercings_;
   PointDepths depths_;
   std::vector<uint32_t> first_triangle_;  // of each part; one more at the end
-  std::vector<Box3> boxes_;               // of each part
+  BoxTree parts_;
   std::vector<uint32_t> above_;
   std::vector<Relation> relations_;
 };
@@ -167,6 +171,14 @@ std::vector<uint32_t> firstTriangles(const Soup& soup) {
   for (const uint32_t part : soup.part_of_triangle) ++first[part + 1];
   for (size_t p = 1; p < first.size(); ++p) first[p] += first[p - 1];
   return first;
+}
+
+std::vector<Box3> partBoxes(const Soup& soup) {
+  std::vector<Box3> boxes(soup.part_of_point.empty() ? 0 : soup.part_of_point.back() + 1);
+  for (size_t i = 0; i < soup.points.size(); ++i) {
+    boxes[soup.part_of_point[i]].include(soup.points[i]);
+  }
+  return boxes;
 }
 
 PointDepths depthsOfPoints(const Soup& soup, std::vector<Piercing>& piercings) {

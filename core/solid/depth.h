@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/box.h"
 #include "solid/cut.h"
 
 namespace marrow {
@@ -25,6 +26,9 @@ struct Piercing {
 
 /// Where each part's triangles begin; one more at the end.
 std::vector<uint32_t> firstTriangles(const Soup& soup);
+
+/// Around each part.
+std::vector<Box3> partBoxes(const Soup& soup);
 
 struct PointDepths {
   std::vector<int> of_point;

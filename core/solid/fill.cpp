@@ -70,10 +70,17 @@ void bridge(Ring& ring, const Ring& hole, const std::vector<Ring>& others) {
     return false;
   };
   std::vector<Way> ways;
-  const size_t starts = ring.size() * hole.size() <= kManyWays ? hole.size() : 1;
-  ways.reserve(ring.size() * starts);
+  // All, or those from its rightmost point: nothing but the ring is beyond, so one of them is free.
+  size_t first = 0, end = hole.size();
+  if (ring.size() * hole.size() > kManyWays) {
+    for (size_t j = 1; j < hole.size(); ++j) {
+      if (hole[j].at.x > hole[first].at.x) first = j;
+    }
+    end = first + 1;
+  }
+  ways.reserve(ring.size() * (end - first));
   for (size_t i = 0; i < ring.size(); ++i) {
-    for (size_t j = 0; j < starts; ++j) {
+    for (size_t j = first; j < end; ++j) {
       const Vec2 way = hole[j].at - ring[i].at;
       ways.push_back({dot(way, way), i, j});
     }

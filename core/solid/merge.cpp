@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <unordered_map>
 
-#include "base/box.h"
+#include "solid/box_tree.h"
 #include "solid/clean.h"
 #include "solid/cut.h"
 #include "solid/fill.h"
@@ -19,12 +23,22 @@ constexpr double kJitter = 16;   // lattice units; each attempt takes four times
 constexpr double kOutward = 64;  // between one part and the next, so that copies lie in each other
 constexpr double kTouching = 1e-6;  // of the model's size; nearer parts are moved by other amounts
 
-struct Solid {
-  uint32_t input;
-  Mesh mesh;  // in the model, outward
+/// A body, kept but once however often it is placed. In its own coordinates.
+struct Shape {
+  const Mesh* mesh = nullptr;
+  bool foreign = false;
+  std::string wrong;  // what keeps it from being a solid
   std::vector<Vec3> normals;
   std::vector<std::array<Vec3, 3>> corner_normals;  // of a foreign one
-  Box3 box;
+};
+
+struct Solid {
+  uint32_t input;
+  uint32_t shape;
+  Frame frame;
+  Affine turn;      // the same without place and size
+  bool inside_out;  // its triangles and normals have to be turned over
+  Box3 box;         // in the model
   int rank = 0;
 };
 
@@ -39,13 +53,15 @@ double scattered(uint64_t seed) {
 
 double rounded(double value) { return std::floor(value + 0.5); }
 
+bool isWithinReach(Vec3 p) {
+  return std::fabs(p.x) < 1e150 && std::fabs(p.y) < 1e150 && std::fabs(p.z) < 1e150;
+}
+
 /// What is wrong with a mesh that should be a solid; empty: nothing.
 std::string whatIsWrong(const Mesh& mesh) {
   if (mesh.triangles.empty()) return "it has no surface";
-  for (const Vec3 p : mesh.positions) {
-    if (!(std::fabs(p.x) < 1e150 && std::fabs(p.y) < 1e150 && std::fabs(p.z) < 1e150)) {
-      return "it reaches too far";
-    }
+  if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), isWithinReach)) {
+    return "it reaches too far";
   }
   for (const auto& triangle : mesh.triangles) {
     for (const uint32_t corner : triangle) {
@@ -55,6 +71,42 @@ std::string whatIsWrong(const Mesh& mesh) {
   return isClosed(mesh) ? "" : "its surface is not closed";
 }
 
+/// Also of a foreign one.
+std::string whatIsWrongInside(const Mesh& mesh) {
+  if (!inspect(mesh).manifold) return "its surface touches itself";
+  return countSelfIntersections(mesh) > 0 ? "its surface crosses itself" : "";
+}
+
+uint64_t mixed(uint64_t hash, uint64_t bits) {
+  return (hash ^ bits ^ (bits >> 32)) * 0x100000001B3ull;
+}
+uint64_t mixed(uint64_t hash, Vec3 p) {
+  for (double number : {p.x, p.y, p.z}) {
+    number += 0.0;  // −0 is 0
+    uint64_t bits;
+    std::memcpy(&bits, &number, sizeof bits);
+    hash = mixed(hash, bits);
+  }
+  return hash;
+}
+constexpr uint64_t kHashStart = 0xCBF29CE484222325ull;
+
+uint64_t hashOf(const Mesh& mesh) {
+  uint64_t hash = mixed(kHashStart, mesh.triangles.size());
+  for (const Vec3 p : mesh.positions) hash = mixed(hash, p);
+  return hash;
+}
+
+/// Finds one that is the same among what was added: `value` by hash, told apart by `isSame`.
+template <typename IsSame>
+std::optional<uint32_t> findSame(const std::unordered_multimap<uint64_t, uint32_t>& known,
+                                 uint64_t hash, const IsSame& isSame) {
+  const auto [first, end] = known.equal_range(hash);
+  const auto found =
+      std::find_if(first, end, [&](const auto& item) { return isSame(item.second); });
+  return found == end ? std::nullopt : std::optional<uint32_t>(found->second);
+}
+
 class Merger {
  public:
   Merger(const std::vector<SolidInput>& inputs, const MergeOptions& options, Clock clock)
@@ -62,6 +114,9 @@ class Merger {
 
   MergedMesh run() {
     for (uint32_t i = 0; i < inputs_.size(); ++i) prepare(i);
+    dropCopies();
+    merged_.shapes = shapes_.size();
+    merged_.distinct = solids_.size();
     watch_.lap("prepare");
     while (!solids_.empty() && !mergeAll()) {
     }
@@ -72,33 +127,72 @@ class Merger {
  private:
   void prepare(uint32_t index) {
     const SolidInput& input = inputs_[index];
-    Solid solid;
-    solid.input = index;
     if (!input.mesh) return leaveOut(index, "it has no surface");
-    solid.mesh.triangles = input.mesh->triangles;
-    solid.mesh.positions.reserve(input.mesh->positions.size());
-    const Vec3 z = input.frame.z();
+    const Frame& frame = input.frame;
+    Solid solid{index, shapeOf(input), frame, {}, false, {}, 0};
+    const Shape& shape = shapes_[solid.shape];
+    if (!shape.wrong.empty()) return leaveOut(index, shape.wrong);
+    placed_.clear();
+    const Vec3 z = frame.z();
     for (const Vec3 p : input.mesh->positions) {
-      const Vec3 placed = input.frame.toWorld(Vec2{p.x, p.y}) + z * p.z;
-      solid.mesh.positions.push_back(placed);
+      const Vec3 placed = frame.toWorld(Vec2{p.x, p.y}) + z * p.z;
+      if (!isWithinReach(placed)) return leaveOut(index, "it reaches too far");
+      placed_.push_back(placed);
       solid.box.include(placed);
     }
-    const std::string wrong = whatIsWrong(solid.mesh);
-    if (!wrong.empty()) return leaveOut(index, wrong);
-    const double volume = signedVolume(solid.mesh);
+    const double volume = signedVolume(placed_, input.mesh->triangles);
     if (volume == 0) return leaveOut(index, "it encloses nothing");
-    if (volume < 0) {
-      for (auto& triangle : solid.mesh.triangles) std::swap(triangle[1], triangle[2]);
+    solid.inside_out = volume < 0;
+    const double scale = frame.scale();
+    solid.turn = {frame.x / scale, frame.y / scale, z / scale, {}};
+    solids_.push_back(solid);
+  }
+
+  uint32_t shapeOf(const SolidInput& input) {
+    const auto last = of_mesh_.find({input.mesh, input.foreign});
+    if (last != of_mesh_.end()) return last->second;
+    const Mesh& mesh = *input.mesh;
+    const uint64_t hash = hashOf(mesh);
+    const auto same = findSame(known_shapes_, hash, [&](uint32_t i) {
+      const Shape& other = shapes_[i];
+      return other.foreign == input.foreign && other.mesh->positions == mesh.positions &&
+             other.mesh->triangles == mesh.triangles;
+    });
+    const uint32_t index = same ? *same : static_cast<uint32_t>(shapes_.size());
+    of_mesh_[{input.mesh, input.foreign}] = index;
+    if (same) return index;
+    known_shapes_.emplace(hash, index);
+    Shape shape;
+    shape.mesh = &mesh;
+    shape.foreign = input.foreign;
+    shape.wrong = whatIsWrong(mesh);
+    if (shape.wrong.empty() && input.foreign) shape.wrong = whatIsWrongInside(mesh);
+    if (shape.wrong.empty()) {
+      shape.normals = vertexNormals(mesh);
+      if (input.foreign) shape.corner_normals = cornerNormals(mesh);
     }
-    if (input.foreign) {
-      if (!inspect(solid.mesh).manifold) return leaveOut(index, "its surface touches itself");
-      if (countSelfIntersections(solid.mesh) > 0) {
-        return leaveOut(index, "its surface crosses itself");
-      }
+    shapes_.push_back(std::move(shape));
+    return index;
+  }
+
+  /// Of the same body in the same place only the last one is seen.
+  void dropCopies() {
+    std::unordered_multimap<uint64_t, uint32_t> seen;
+    std::vector<Solid> kept;
+    for (size_t i = solids_.size(); i-- > 0;) {
+      const Solid& solid = solids_[i];
+      const Frame& frame = solid.frame;
+      const uint64_t hash =
+          mixed(mixed(mixed(mixed(kHashStart, frame.origin), frame.x), frame.y), solid.shape);
+      const auto same = findSame(seen, hash, [&](uint32_t other) {
+        return solids_[other].shape == solid.shape && solids_[other].frame == frame;
+      });
+      if (same) continue;
+      seen.emplace(hash, static_cast<uint32_t>(i));
+      kept.push_back(solid);
     }
-    solid.normals = vertexNormals(solid.mesh);
-    if (input.foreign) solid.corner_normals = cornerNormals(solid.mesh);
-    solids_.push_back(std::move(solid));
+    std::reverse(kept.begin(), kept.end());
+    solids_ = std::move(kept);
   }
 
   void leaveOut(uint32_t input, const std::string& why) {
@@ -151,18 +245,17 @@ class Merger {
 
   /// With the slivers gone, and with those that must stay. False: self-intersections are left.
   bool tryWays() {
-    const std::vector<std::array<uint32_t, 3>> triangles = triangles_;
-    const std::vector<uint32_t> sources = sources_;
-    const std::vector<Vec3> points = cut_.points;
+    const auto own = static_cast<std::ptrdiff_t>(soup_.points.size());
+    const std::vector<Vec3> added(cut_.points.begin() + own, cut_.points.end());
     std::vector<char> frozen(soup_.triangles.size(), 0);
     for (int round = 0; options_.collapse_slivers && round < kCleanings; ++round) {
       collapseSlivers(soup_, cut_.points, triangles_, sources_, frozen);
       watch_.lap("clean");
       if (isBest()) return true;
       for (const auto& [t, u] : crossings_) frozen[sources_[t]] = frozen[sources_[u]] = 1;
-      triangles_ = triangles;
-      sources_ = sources;
-      cut_.points = points;
+      std::copy(soup_.points.begin(), soup_.points.end(), cut_.points.begin());
+      std::copy(added.begin(), added.end(), cut_.points.begin() + own);
+      fill();
     }
     return isBest();
   }
@@ -211,13 +304,28 @@ class Merger {
     middle_ = {rounded(middle_.x / unit_) * unit_, rounded(middle_.y / unit_) * unit_,
                rounded(middle_.z / unit_) * unit_};
 
+    rankSolids(widest * kTouching);
+  }
+
+  /// Those that come as near as that to each other get different ranks.
+  void rankSolids(double touching) {
+    std::vector<Box3> boxes, wider;
+    const Vec3 margin = Vec3{1, 1, 1} * touching;
+    for (const Solid& solid : solids_) {
+      boxes.push_back(solid.box);
+      wider.push_back(solid.box);
+      wider.back().low = wider.back().low - margin;
+      wider.back().high = wider.back().high + margin;
+    }
+    std::vector<std::vector<uint32_t>> earlier(solids_.size());
+    BoxTree(std::move(wider)).pairs(BoxTree(std::move(boxes)), [&](uint32_t i, uint32_t j) {
+      if (j < i) earlier[i].push_back(j);
+    });
     for (size_t i = 0; i < solids_.size(); ++i) {
-      Box3 near = solids_[i].box;
-      near.low = near.low - Vec3{1, 1, 1} * (widest * kTouching);
-      near.high = near.high + Vec3{1, 1, 1} * (widest * kTouching);
-      std::vector<char> taken(i + 1, 0);
-      for (size_t j = 0; j < i; ++j) {
-        if (near.meets(solids_[j].box)) taken[static_cast<size_t>(solids_[j].rank)] = 1;
+      std::vector<char> taken(earlier[i].size() + 1, 0);
+      for (const uint32_t j : earlier[i]) {
+        const auto rank = static_cast<size_t>(solids_[j].rank);
+        if (rank < taken.size()) taken[rank] = 1;
       }
       solids_[i].rank = static_cast<int>(std::find(taken.begin(), taken.end(), 0) - taken.begin());
     }
@@ -234,9 +342,13 @@ class Merger {
       const uint32_t base = static_cast<uint32_t>(soup_.points.size());
       first_points_.push_back(base);
       first_triangles_.push_back(static_cast<uint32_t>(soup_.triangles.size()));
+      const Shape& shape = shapes_[solid.shape];
       const double outward = kOutward * more * (solid.rank + 1);
-      for (size_t v = 0; v < solid.mesh.positions.size(); ++v) {
-        const Vec3 at = (solid.mesh.positions[v] - middle_) / unit_ + solid.normals[v] * outward;
+      const Vec3 upward = solid.frame.z();
+      for (size_t v = 0; v < shape.mesh->positions.size(); ++v) {
+        const Vec3 p = shape.mesh->positions[v];
+        const Vec3 placed = solid.frame.toWorld(Vec2{p.x, p.y}) + upward * p.z;
+        const Vec3 at = (placed - middle_) / unit_ + turned(solid, shape.normals[v]) * outward;
         const auto place = [&](double value) {
           return rounded(value + kJitter * more * scattered(seed++));
         };
@@ -244,8 +356,9 @@ class Merger {
         soup_.points.push_back({x, y, z});
       }
       soup_.part_of_point.resize(soup_.points.size(), s);
-      for (const auto& [a, b, c] : solid.mesh.triangles) {
-        soup_.triangles.push_back({base + a, base + b, base + c});
+      for (const auto& [a, b, c] : shape.mesh->triangles) {
+        const uint32_t second = solid.inside_out ? c : b, third = solid.inside_out ? b : c;
+        soup_.triangles.push_back({base + a, base + second, base + third});
       }
       soup_.part_of_triangle.resize(soup_.triangles.size(), s);
     }
@@ -347,6 +460,8 @@ class Merger {
     }
     for (const uint32_t p : points) merged_.on_seam.push_back(p >= soup_.points.size());
     merged_.crossings = cut_.crossings;
+    merged_.pairs = cut_.pairs;
+    merged_.examined = cut_.examined;
     merged_.self_intersections = best_.crossings;
   }
 
@@ -377,13 +492,22 @@ class Merger {
   Vec3 original(uint32_t point, uint32_t triangle) const {
     const uint32_t part = soup_.part_of_point[point];
     const Solid& solid = solids_[part];
-    if (!solid.corner_normals.empty() && soup_.part_of_triangle[triangle] == part) {
+    const Shape& shape = shapes_[solid.shape];
+    const uint32_t own = point - first_points_[part];
+    if (!shape.corner_normals.empty() && soup_.part_of_triangle[triangle] == part) {
+      const uint32_t own_triangle = triangle - first_triangles_[part];
       for (size_t k = 0; k < 3; ++k) {
-        if (soup_.triangles[triangle][k] != point) continue;
-        return solid.corner_normals[triangle - first_triangles_[part]][k];
+        if (shape.mesh->triangles[own_triangle][k] != own) continue;
+        return turned(solid, shape.corner_normals[own_triangle][k]);
       }
     }
-    return solid.normals[point - first_points_[part]];
+    return turned(solid, shape.normals[own]);
+  }
+
+  /// A direction of the shape as it is in the model.
+  static Vec3 turned(const Solid& solid, Vec3 direction) {
+    const Vec3 placed = solid.turn.direction(direction);
+    return solid.inside_out ? -placed : placed;
   }
 
   Vec3 within(uint32_t triangle, Vec3 p) const {
@@ -412,7 +536,11 @@ class Merger {
   const MergeOptions options_;
   MergedMesh merged_;
   Stopwatch watch_;
+  std::vector<Shape> shapes_;
+  std::map<std::pair<const Mesh*, bool>, uint32_t> of_mesh_;  // shape of each mesh
+  std::unordered_multimap<uint64_t, uint32_t> known_shapes_;  // by hash
   std::vector<Solid> solids_;
+  std::vector<Vec3> placed_;
   Vec3 middle_;
   double unit_ = 1;
   Soup soup_;

@@ -42,6 +42,10 @@ struct MergedMesh {
   std::vector<std::array<Vec3, 3>> corner_normals;
   std::vector<char> on_seam;  // one per vertex: whether several parts meet there
   std::vector<LeftOut> left_out;
+  size_t shapes = 0;    // meshes that differ, however often each is placed
+  size_t distinct = 0;  // solids that were merged; of several in the same place the last one counts
+  size_t pairs = 0;     // of those, that come near each other
+  size_t examined = 0;  // triangles that come near another solid
   size_t crossings = 0;  // pairs of triangles of different parts that passed through each other
   size_t self_intersections = 0;  // 0, but for models so far from the origin that rounding shows
   int attempts = 0;               // at general position

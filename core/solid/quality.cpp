@@ -61,6 +61,8 @@ class IntersectionCounter {
  public:
   explicit IntersectionCounter(const Mesh& mesh) : mesh_(mesh) {}
 
+  static constexpr size_t kBatch = 4096;
+
   size_t run() const {
     size_t count = 0;
     std::vector<uint32_t> all(mesh_.triangles.size());
@@ -84,15 +86,9 @@ class IntersectionCounter {
   }
 
   std::vector<std::pair<uint32_t, uint32_t>> run(const std::vector<char>& marked) const {
-    std::vector<uint32_t> chosen, others;
-    Box3 near;
+    std::vector<uint32_t> chosen;
     for (uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (!marked[t]) continue;
-      chosen.push_back(t);
-      for (const uint32_t corner : mesh_.triangles[t]) near.include(mesh_.positions[corner]);
-    }
-    for (uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (!marked[t] && boxOf(t).meets(near)) others.push_back(t);
+      if (marked[t]) chosen.push_back(t);
     }
     std::vector<std::pair<uint32_t, uint32_t>> found;
     const auto look = [&](uint32_t t, uint32_t u) {
@@ -100,7 +96,18 @@ class IntersectionCounter {
     };
     const BoxTree tree = treeOf(chosen);
     tree.pairs([&](uint32_t i, uint32_t j) { look(chosen[i], chosen[j]); });
-    tree.pairs(treeOf(others), [&](uint32_t i, uint32_t j) { look(chosen[i], others[j]); });
+    // The others a few at a time: most of them are nowhere near, and a tree of all is large.
+    std::vector<uint32_t> others;
+    const auto lookAtOthers = [&] {
+      tree.pairs(treeOf(others), [&](uint32_t i, uint32_t j) { look(chosen[i], others[j]); });
+      others.clear();
+    };
+    for (uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (marked[t] || !boxOf(t).meets(tree.box())) continue;
+      others.push_back(t);
+      if (others.size() == kBatch) lookAtOthers();
+    }
+    if (!others.empty()) lookAtOthers();
     return found;
   }
 
@@ -141,6 +148,13 @@ class IntersectionCounter {
     const Corners a = corners(t), b = corners(u);
     if (shared == 0) return farCross(a, b);
     if (shared == 1) {
+      // All but the shared corner on one side of the other's plane: there is nothing to ask.
+      const auto leaves = [](const Corners& own, size_t at, const Corners& plane) {
+        return exactOrientation(plane[0], plane[1], plane[2], own[(at + 1) % 3]) *
+                   exactOrientation(plane[0], plane[1], plane[2], own[(at + 2) % 3]) >
+               0;
+      };
+      if (leaves(a, at_one, b) || leaves(b, at_other, a)) return false;
       return meet(a[(at_one + 1) % 3], a[(at_one + 2) % 3], b) ||
              meet(b[(at_other + 1) % 3], b[(at_other + 2) % 3], a);
     }
@@ -233,13 +247,15 @@ bool isClosed(const Mesh& mesh) {
   return !mesh.triangles.empty();
 }
 
-double signedVolume(const Mesh& mesh) {
-  if (mesh.positions.empty()) return 0;
-  const Vec3 origin = mesh.positions[0];
+double signedVolume(const Mesh& mesh) { return signedVolume(mesh.positions, mesh.triangles); }
+
+double signedVolume(const std::vector<Vec3>& positions,
+                    const std::vector<std::array<uint32_t, 3>>& triangles) {
+  if (positions.empty()) return 0;
+  const Vec3 origin = positions[0];
   double volume = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    volume += dot(mesh.positions[a] - origin,
-                  cross(mesh.positions[b] - origin, mesh.positions[c] - origin));
+  for (const auto& [a, b, c] : triangles) {
+    volume += dot(positions[a] - origin, cross(positions[b] - origin, positions[c] - origin));
   }
   return volume / 6;
 }

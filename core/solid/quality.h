@@ -25,6 +25,8 @@ bool isClosed(const Mesh& mesh);
 
 /// Positive where the triangles face outward.
 double signedVolume(const Mesh& mesh);
+double signedVolume(const std::vector<Vec3>& positions,
+                    const std::vector<std::array<uint32_t, 3>>& triangles);
 
 /// Pairs of triangles that have more in common than the corners and edges they share; decided
 /// exactly. O(n log n) and a little for each pair that comes near.

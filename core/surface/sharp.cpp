@@ -71,6 +71,10 @@ SplitVertices splitByNormals(const Mesh& mesh,
   SplitVertices split;
   std::vector<uint32_t> first(mesh.positions.size(), kNone);  // copy of each vertex
   std::vector<uint32_t> after;                                // each copy, another one
+  split.vertices.reserve(mesh.positions.size());
+  split.normals.reserve(mesh.positions.size());
+  after.reserve(mesh.positions.size());
+  split.triangles.reserve(mesh.triangles.size());
   for (size_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<uint32_t, 3> corners;
     for (size_t k = 0; k < 3; ++k) {

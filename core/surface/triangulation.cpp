@@ -29,7 +29,6 @@ constexpr double kBorderShare = 0.5;  // the border gets no more
 constexpr double kMost = 1.15;        // another attempt above,
 constexpr double kFewest = 0.85;      // or below
 constexpr int kMostAttempts = 3;
-constexpr int kFewestPoints = 48;
 constexpr size_t kLeastBorder = 24;
 
 // Depths, in half widths, at which a half circle rises by equal angles: an eighth, a twelfth and a
@@ -371,7 +370,7 @@ Result<Triangulation> triangulate(const std::vector<Vec2>& outline,
     return {Status::meshFailed, "The outline does not run counter-clockwise around an area."};
   }
 
-  const size_t target = static_cast<size_t>(std::max(kFewestPoints, options.target_points));
+  const size_t target = static_cast<size_t>(std::max(TriangulationOptions::kFewest, options.target_points));
   double spacing = spacingFor(area, perimeter, static_cast<double>(target));
   Triangulation sparse;  // the last attempt with too few points
   for (int attempt = 1;; ++attempt) {

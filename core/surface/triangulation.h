@@ -13,6 +13,7 @@ namespace marrow {
 struct TriangulationOptions {
   // Points aimed at, border included; bounds the work, whatever the stroke.
   int target_points = 1000;
+  static constexpr int kFewest = 48;
 };
 
 struct Triangulation {
@@ -29,7 +30,7 @@ struct Triangulation {
 ///
 /// No edge but the border's joins two border points (an interior point is put there), so that
 /// nothing inside stays flat when inflated. The number of points is usually within a sixth of the
-/// target; targets under 48 are taken as 48. Moving or scaling the outline moves or scales the
+/// target; targets under kFewest are taken as that. Moving or scaling the outline moves or scales the
 /// points, but for rounding.
 /// outline: simple, counter-clockwise. Errors: tooFewPoints; meshFailed where it is not simple or
 /// front and back of it touch but for rounding.

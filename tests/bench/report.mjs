@@ -209,6 +209,20 @@ function rigTable(figures) {
       `which share skeletons)\n\n${table([head, ...rows])}`;
 }
 
+/// Each beside a tenth of its parts.
+function largeTable(figures) {
+  const rows = [['character', 'parts', 'vertices', 'to body and weights', '÷ of a tenth', 'MB',
+                 '÷ of a tenth']];
+  const all = figures.all('large');
+  for (let i = 1; i < all.length; i += 2) {
+    const [few, many] = [all[i - 1], all[i]];
+    rows.push([many.creature, String(many.parts), String(many.vertices), `${number(many.ms.total)} ms`,
+               number(many.ms.total / few.ms.total), number(many.megabytes),
+               number(many.megabytes / few.megabytes)]);
+  }
+  return `### Large characters\n\n${table(rows)}`;
+}
+
 function updateTable(figures) {
   const head = ['one update of', 'what changes', ...targets.flatMap((target) =>
       [`${target}: least`, 'median', 'largest'])];
@@ -403,6 +417,7 @@ export function report(rows) {
   }
   if (figures.has('growth')) sections.push(growthTable(figures));
   if (figures.has('rig')) sections.push(rigTable(figures), updateTable(figures));
+  if (figures.has('large')) sections.push(largeTable(figures));
   if (figures.has('merge')) sections.push(modelTable(figures));
   if (figures.has('cold')) sections.push(coldTable(figures));
   if (figures.has('frames')) sections.push(frameTable(figures));

@@ -1,4 +1,4 @@
-// node tests/bench/run.mjs [--quick] [stages] [growth] [cold] [rig] [model] [quality] [thinning] [frames]:
+// node tests/bench/run.mjs [--quick] [stages] [growth] [cold] [rig] [large] [model] [quality] [thinning] [frames]:
 // measures all, or what is named, and prints the tables in Markdown. Everything measured goes to
 // build/bench.json.
 //
@@ -10,6 +10,7 @@ import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
 import {frames} from './frames.mjs';
+import {large} from './large.mjs';
 import {report} from './report.mjs';
 
 const folder = dirname(fileURLToPath(import.meta.url));
@@ -87,6 +88,10 @@ if (wanted('stages')) rows.push(...repeated('stages', quick ? 1 : 3));
 if (wanted('growth')) rows.push(...repeated('growth', quick ? 1 : 2));
 if (wanted('cold')) rows.push(...repeated('cold', quick ? 3 : 7));
 if (wanted('rig')) rows.push(...repeated('rig', quick ? 1 : 4, samples()));
+if (wanted('large')) {
+  say('large characters');
+  rows.push(...large(join(root, 'build/native/marrow'), {quick}));
+}
 if (wanted('model')) rows.push(...repeated('model', quick ? 1 : 4, samples()));
 if (wanted('quality')) {
   say('quality');

@@ -107,6 +107,40 @@ TEST_CASE("character: part by part each is the part's own mesh, placed", "[chara
   }
 }
 
+TEST_CASE("character: copies of a part in the same place share what it holds", "[character]") {
+  Document document = creature();
+  document.parts.resize(1);
+  const auto boneCount = [&](const Evaluation& evaluation) {
+    return evaluation.rig().bones.size();
+  };
+  const Evaluation alone = evaluated(document);
+  const Character one = makeCharacter(alone, quick());
+  for (int copy = 0; copy < 2; ++copy) {
+    auto part = std::make_shared<PartSource>(*document.parts[0]);
+    part->id = partId(takePartNumber(document));
+    document.parts.push_back(std::move(part));
+  }
+  const Evaluation evaluation = evaluated(document);
+  REQUIRE(evaluation.parts()[2].part == evaluation.parts()[0].part);
+  REQUIRE(boneCount(evaluation) >= 3 * boneCount(alone));
+  const Character made = makeCharacter(evaluation, quick());
+  CHECK(made.merged.mesh.positions == one.merged.mesh.positions);
+  CHECK(made.merged.distinct == 1);
+  CHECK(made.no_weights.empty());
+  checkSkin(made.meshes[0], evaluation.rig());
+  // Vertices follow all copies of what they followed alike.
+  for (size_t v = 0; v < made.unpainted.size(); ++v) {
+    std::map<uint32_t, std::vector<double>> by_part;
+    for (const JointWeight& weight : made.unpainted[v]) {
+      by_part[evaluation.rig().joints[weight.joint].part].push_back(weight.weight);
+    }
+    double sum = 0;
+    for (const JointWeight& weight : made.unpainted[v]) sum += weight.weight;
+    if (std::abs(sum - 1) > 1e-12) FAIL("vertex " << v);
+    if (by_part.empty()) FAIL("vertex " << v);
+  }
+}
+
 TEST_CASE("character: hidden parts are not there, and nothing at all is no fault", "[character]") {
   Document document = creature();
   auto hidden = std::make_shared<PartSource>(*document.parts[3]);

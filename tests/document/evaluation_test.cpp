@@ -146,6 +146,95 @@ TEST_CASE("evaluation: thickness redoes neither skeleton nor triangulation", "[e
   requireFresh(evaluation, document);
 }
 
+TEST_CASE("evaluation: parts of the same stroke and thickness share one body", "[evaluation]") {
+  Document document;
+  for (int i = 0; i < 20; ++i) document = with(document, AddPart{softStar(6, 90)});
+  document = with(document, SetThickness{{"part-20"}, 2});
+  Evaluation evaluation;
+  evaluation.update(document);
+  CHECK(evaluation.recomputed() == 2);
+  const auto& parts = evaluation.parts();
+  for (size_t i = 1; i < 19; ++i) {
+    CHECK(parts[i].part == parts[0].part);
+    CHECK(parts[i].mesh_id == parts[0].mesh_id);
+    CHECK(parts[i].skeleton_id != parts[0].skeleton_id);
+  }
+  CHECK(parts[19].part != parts[0].part);
+  CHECK(parts[19].mesh_id != parts[0].mesh_id);
+  requireFresh(evaluation, document);
+
+  // One that goes its own way leaves the others theirs, and finds back.
+  document = with(document, SetThickness{{"part-3"}, 3});
+  evaluation.update(document);
+  CHECK(evaluation.recomputed() == 1);
+  CHECK(evaluation.parts()[2].part != evaluation.parts()[0].part);
+  requireFresh(evaluation, document);
+  document = with(document, SetThickness{{"part-3"}, 1});
+  evaluation.update(document);
+  CHECK(evaluation.recomputed() == 0);
+  CHECK(evaluation.parts()[2].part == evaluation.parts()[0].part);
+
+  // A copy that is added later costs nothing either.
+  document = with(document, AddPart{softStar(6, 90)});
+  evaluation.update(document);
+  CHECK(evaluation.recomputed() == 0);
+  CHECK(evaluation.parts()[20].part == evaluation.parts()[0].part);
+}
+
+TEST_CASE("evaluation: thousands of parts have a few times the points of 64", "[evaluation]") {
+  const auto pointsOf = [](size_t parts) {
+    double sum = 0;
+    for (size_t i = 0; i < parts; ++i) sum += pointsOfPart(i, 1000);
+    return sum;
+  };
+  CHECK(pointsOf(64) == 64000);
+  CHECK(pointsOf(500) < 2 * pointsOf(64));
+  CHECK(pointsOf(5000) < 6 * pointsOf(64));
+  for (size_t i = 0; i < 10000; ++i) {
+    REQUIRE(pointsOfPart(i + 1, 1000) <= pointsOfPart(i, 1000));
+    REQUIRE(pointsOfPart(i, 1000) >= TriangulationOptions::kFewest);
+    REQUIRE(pointsOfPart(i, 20) == 20);
+  }
+
+  // Nor does a part that is added change another one.
+  Document document;
+  const auto star = [](int i) { return softStar(3 + i % 4, 60 + i); };
+  for (int i = 0; i < 130; ++i) document = with(document, AddPart{star(i)});
+  Evaluation evaluation;
+  evaluation.update(document);
+  const auto before = evaluation.parts();
+  CHECK(before[63].points == 1000);
+  CHECK(before[64].points == 250);
+  CHECK(before[128].points == 125);
+  for (const EvaluatedPart& part : before) CHECK(validate(part.part->mesh).empty());
+  document = with(document, AddPart{star(130)});
+  evaluation.update(document);
+  CHECK(evaluation.recomputed() == 1);
+  for (size_t i = 0; i < before.size(); ++i) CHECK(evaluation.parts()[i].part == before[i].part);
+  // Where one goes, only those that come to another place in the order of sizes change.
+  document = with(document, DeleteParts{{"part-2"}});
+  evaluation.update(document);
+  CHECK(evaluation.recomputed() == 2);
+  CHECK(evaluation.parts()[1].part == before[2].part);
+  CHECK(evaluation.parts()[63].points == 1000);
+  CHECK(evaluation.parts()[127].points == 250);
+  // A copy is a copy, wherever it comes.
+  for (int i = 0; i < 100; ++i) document = with(document, AddPart{star(0)});
+  evaluation.update(document);
+  CHECK(evaluation.recomputed() == 0);
+  CHECK(evaluation.parts()[229].part == before[0].part);
+  for (int i = 0; i < 300; ++i) {
+    Frame elsewhere;
+    elsewhere.origin.x = 10.0 * (i + 1);
+    document = with(document, AddPart{star(0), elsewhere});
+  }
+  evaluation.update(document);
+  CHECK(evaluation.recomputed() == 1);
+  CHECK(evaluation.parts()[529].points == 62);
+  CHECK(evaluation.parts()[529].part == evaluation.parts()[0].part);
+  requireFresh(evaluation, document);
+}
+
 TEST_CASE("evaluation: placing and refining build no part anew", "[evaluation]") {
   Document document = drawnDocument(3);
   Evaluation evaluation;

@@ -1,6 +1,7 @@
 // The union of solids in easy, hard and hostile positions.
 #include "solid/merge.h"
 
+#include <cmath>
 #include <set>
 
 #include "document/evaluation.h"
@@ -145,6 +146,79 @@ TEST_CASE("merge: copies, however many and however nearly the same, are one") {
       CHECK(report.area == Approx(one.area).epsilon(1e-4));  // thin pleats
     }
   }
+}
+
+TEST_CASE("merge: copies in the same place are merged but once, and the last one is seen") {
+  Random random(13);
+  const Mesh part = partMesh(random), other = moved(part, {30, 10, 5});
+  // Also where they are meshes of their own.
+  std::vector<Mesh> copies(300, part);
+  std::vector<SolidInput> inputs;
+  for (const Mesh& copy : copies) {
+    inputs.push_back({&copy, {}, static_cast<uint32_t>(inputs.size())});
+  }
+  inputs.push_back({&other, {}, 300});
+  const MergedMesh many = mergeSolids(inputs);
+  CHECK(many.left_out.empty());
+  CHECK(many.distinct == 2);
+  CHECK(many.pairs == 1);
+  checkSound(many);
+  const MergedMesh two = mergeSolids({{&part, {}, 299}, {&other, {}, 300}});
+  CHECK(two.distinct == 2);
+  CHECK(sameBits(many, two));
+  // Elsewhere, or turned over, it is another one.
+  Frame turned;
+  turned.y = -turned.y;
+  CHECK(mergeSolids({{&part, {}, 0}, {&part, turned, 1}, {&part, {}, 2}}).distinct == 2);
+}
+
+TEST_CASE("merge: a body that is placed often is looked at once, and merged wherever it is") {
+  Random random(14);
+  const Mesh part = partMesh(random), same = part;
+  std::vector<SolidInput> inputs;
+  std::vector<Mesh> placed;
+  for (uint32_t i = 0; i < 24; ++i) {
+    Frame frame;
+    frame.origin = {70.0 * i, 9.0 * (i % 3), 4.0 * (i % 5)};
+    if (i % 4 == 1) frame = {frame.origin, {0, 1.5, 0}, {-1.5, 0, 0}};
+    if (i % 4 == 2) frame.y = -frame.y;
+    inputs.push_back({i % 2 ? &part : &same, frame, i});
+    placed.push_back(mapped(part, [&](Vec3 p) { return frame.toWorld(p); }));
+  }
+  const MergedMesh all = mergeSolids(inputs), one_by_one = merged(placed);
+  CHECK(all.shapes == 1);
+  CHECK(one_by_one.shapes == 24);
+  CHECK(all.distinct == 24);
+  const SolidReport report = checkSound(all), expected = checkSound(one_by_one);
+  CHECK(all.crossings == one_by_one.crossings);
+  CHECK(report.volume == Approx(expected.volume).epsilon(1e-7));
+  CHECK(report.area == Approx(expected.area).epsilon(1e-5));
+  CHECK(report.components == expected.components);
+  for (size_t t = 0; t < all.mesh.triangles.size(); ++t) {
+    for (const Vec3 normal : all.corner_normals[t]) {
+      if (std::abs(length(normal) - 1) > 1e-12) FAIL("a normal of triangle " << t);
+    }
+  }
+}
+
+TEST_CASE("merge: of a chain each link is tested against its neighbours alone") {
+  const auto chain = [](uint32_t links) {
+    const Mesh ball = sphereMesh({0, 0, 0}, 1, 3);
+    std::vector<SolidInput> inputs;
+    for (uint32_t i = 0; i < links; ++i) {
+      inputs.push_back({&ball, {{1.8 * i, 0.01 * (i % 7), 0}, {1, 0, 0}, {0, 1, 0}}, i});
+    }
+    return mergeSolids(inputs);
+  };
+  const MergedMesh few = chain(20), many = chain(200);
+  checkSound(many);
+  CHECK(few.pairs == 19);
+  CHECK(many.pairs == 199);
+  CHECK(static_cast<double>(many.examined) < 10.6 * static_cast<double>(few.examined));
+  CHECK(static_cast<double>(many.crossings) < 10.6 * static_cast<double>(few.crossings));
+  // Most of a link is nobody's business.
+  const size_t triangles = 200 * sphereMesh({0, 0, 0}, 1, 3).triangles.size();
+  CHECK(2 * many.examined < triangles);
 }
 
 TEST_CASE("merge: what lies inside another is gone, wherever it touches from within") {
