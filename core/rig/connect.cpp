@@ -89,6 +89,8 @@ class Connecting {
       while (joinTrees(how)) {
       }
     }
+    while (attachSurfaces()) {
+    }
     std::sort(result_.begin(), result_.end(),
               [](const Connection& a, const Connection& b) { return a.child < b.child; });
     return std::move(result_);
@@ -156,6 +158,8 @@ class Connecting {
     if (!mayMeet(child, other)) return false;
     const double share = shareOf(pairOf(child, other), child, other);
     if (share > options_.share) return true;
+    // What has no bones of its own, as a nose, is put on a surface: there little is in common.
+    if (share > 0 && proxies_[child].holds != proxies_[other].holds) return true;
     return share > 0 && (hasEndIn(child, other) ||
                          ballOverlap(proxies_[child], proxies_[other]) > options_.overlap);
   }
@@ -337,6 +341,36 @@ class Connecting {
     connection.test = hasEndIn(child, parent) ? AttachTest::joint : AttachTest::overlap;
     placeAtOverlap({proxies_[child], *bodies_[child]}, {proxies_[parent], *bodies_[parent]},
                    connection);
+  }
+
+  /// What has no bones and lies on what has none either, as a pupil on an eye, hangs where that
+  /// hangs. Whether any was hung.
+  bool attachSurfaces() {
+    bool any = false;
+    for (uint32_t child = 0; child < parts_.size(); ++child) {
+      if (!free_[child] || proxies_[child].holds || isTakenOff(child)) continue;
+      double best = 0;
+      std::optional<Connection> below;
+      forOthers(child, static_cast<uint32_t>(parts_.size()), [&](uint32_t other) {
+        if (proxies_[other].holds || !mayMeet(child, other)) return;
+        const Connection* held = connectionOf(other);
+        if (!held) return;
+        const double share = shareOf(pairOf(child, other), child, other);
+        if (!(share > best + kTie)) return;
+        best = share;
+        below = *held;
+      });
+      if (!below) continue;
+      Connection connection;
+      connection.child = child;
+      connection.parent = below->parent;
+      connection.test = AttachTest::overlap;
+      placeOnParent(proxies_[connection.parent], below->parent_position, connection);
+      placeOnChild(proxies_[child], connection.parent_position, connection);
+      add(connection);
+      any = true;
+    }
+    return any;
   }
 
   /// Where a part lies just on the verge, rounding must not tell it from its twin.

@@ -10,11 +10,10 @@ namespace marrow {
 /// Always from the unrefined skeletons, so that a threshold taken back gives back the same rig.
 ///
 /// ε_s decides which samples of a branch are joints; it is measured on the outline of the part that
-/// holds the tree, not on each part's own. What a bone needs to stay inside is always one. The other
-/// three compare lengths along the
-/// unrefined axes, between joints as they are in the unrefined, connected skeleton. A way is the
-/// path from one joint that has not two bones (or is a root) to the next; the thresholds of a way
-/// are those of the part at its far end.
+/// holds the tree, not on each part's own. What a bone needs to stay inside is always one. The
+/// other three compare lengths along the unrefined axes, between joints as they are in the
+/// unrefined, connected skeleton. A way is the path from one joint that has not two bones (or is a
+/// root) to the next; the thresholds of a way are those of the part at its far end.
 /// - merge: a way between two junctions shorter than ε_m becomes one joint, in the mean of them,
 /// and
 ///   so on through the cluster;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "base/box.h"
 #include "skeleton/inside.h"
@@ -432,16 +433,22 @@ void keepInside(const Region& region, const std::vector<BranchSample>& samples,
   std::stable_sort(order.begin(), order.end(),
                    [&](size_t a, size_t b) { return levels[a] > levels[b]; });
   std::set<size_t> kept{0, samples.size() - 1};
-  // The samples that a bone needs to stay inside are kept with it, those with high levels first.
+  // The samples that a bone needs to stay inside are kept with it.
   const auto mend = [&](size_t first, size_t last, double level) {
     std::vector<std::array<size_t, 2>> todo{{first, last}};
     while (!todo.empty()) {
       const auto [a, b] = todo.back();
       todo.pop_back();
       if (b - a < 2 || around.isClear(samples[a].point, samples[b].point)) continue;
+      // High levels first; but not beside what is kept already, where there is another place.
+      const auto rank = [&](size_t i) {
+        const double near =
+            std::min(samples[i].along - samples[a].along, samples[b].along - samples[i].along);
+        return std::pair{near >= samples[i].radius, levels[i]};
+      };
       size_t middle = largestError(samples, a, b, 1).first;
       for (size_t i = a + 1; i < b; ++i) {
-        if (levels[i] > levels[middle]) middle = i;
+        if (rank(i) > rank(middle)) middle = i;
       }
       levels[middle] = std::max(levels[middle], level);
       kept.insert(middle);

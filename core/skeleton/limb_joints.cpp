@@ -130,7 +130,8 @@ class LimbJoints {
       for (const size_t other : kept) {
         crowded = crowded || std::abs(along(i) - along(other)) < radius;
       }
-      if (crowded && levels_[i] < kAlways) {
+      // What is needed to stay inside comes back by keepInside.
+      if (crowded) {
         levels_[i] = std::min(kCrowdedLevel * levels_[i], kBelow * usual_);
       } else {
         kept.push_back(i);

@@ -18,7 +18,7 @@ struct OutlineOptions {
   int samples = 200;      // resampling step = perimeter ÷ samples [RS Fig. 19]; finer for thin
                           // shapes, coarser for small ones drawn on whole pixels
   double steadiness = 1;  // how far `polygon` is averaged along the curve to either side, × step;
-                           // 0: not at all, it lies inside `dense`
+                          // 0: not at all, it lies inside `dense`
   std::optional<bool> symmetric;  // whether `polygon` is to be its own mirror image; unset: where
                                   // what was drawn nearly is
   std::optional<bool> was_symmetric;  // a moment ago: "nearly" means less then, or more

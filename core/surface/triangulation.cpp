@@ -370,7 +370,8 @@ Result<Triangulation> triangulate(const std::vector<Vec2>& outline,
     return {Status::meshFailed, "The outline does not run counter-clockwise around an area."};
   }
 
-  const size_t target = static_cast<size_t>(std::max(TriangulationOptions::kFewest, options.target_points));
+  const size_t target =
+      static_cast<size_t>(std::max(TriangulationOptions::kFewest, options.target_points));
   double spacing = spacingFor(area, perimeter, static_cast<double>(target));
   Triangulation sparse;  // the last attempt with too few points
   for (int attempt = 1;; ++attempt) {

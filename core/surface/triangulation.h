@@ -30,10 +30,9 @@ struct Triangulation {
 ///
 /// No edge but the border's joins two border points (an interior point is put there), so that
 /// nothing inside stays flat when inflated. The number of points is usually within a sixth of the
-/// target; targets under kFewest are taken as that. Moving or scaling the outline moves or scales the
-/// points, but for rounding.
-/// outline: simple, counter-clockwise. Errors: tooFewPoints; meshFailed where it is not simple or
-/// front and back of it touch but for rounding.
+/// target; targets under kFewest are taken as that. Moving or scaling the outline moves or scales
+/// the points, but for rounding. outline: simple, counter-clockwise. Errors: tooFewPoints;
+/// meshFailed where it is not simple or front and back of it touch but for rounding.
 Result<Triangulation> triangulate(const std::vector<Vec2>& outline,
                                   const TriangulationOptions& options = {});
 

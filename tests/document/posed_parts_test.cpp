@@ -151,7 +151,7 @@ TEST_CASE("posed parts: a leg that is turned bends about its own axis, and so do
   Random random(3);
   Document document = quadruped();
   PartSource leg = *document.parts[1];
-  for (Vec2& p : leg.stroke) p.x += (p.y + 90) * (p.y + 90) / 200;
+  for (Vec2& p : leg.stroke) p.x += (p.y + 90) * (p.y + 90) / 400;
   document.parts[1] = std::make_shared<const PartSource>(leg);
   const Rig rig = rigOf(document, workshop);
   document = posedDocument(document, rig, random);

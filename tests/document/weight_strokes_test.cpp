@@ -327,16 +327,14 @@ struct Front {
     return std::any_of(rig().joints.begin(), rig().joints.end(),
                        [&](const Rig::Joint& joint) { return joint.id == id; });
   }
-  /// The body's joint with bones that is furthest to one side.
+  /// The body's joint at which the arm on one side hangs.
   const Rig::Joint& shoulder(double side) const {
-    uint32_t best = rig().bones.front()[0];
     for (const auto& bone : rig().bones) {
-      const Rig::Joint& joint = rig().joints[bone[0]];
-      if (joint.part == 0 && joint.position.x * side > rig().joints[best].position.x * side) {
-        best = bone[0];
-      }
+      const Rig::Joint &joint = rig().joints[bone[0]], &arm = rig().joints[bone[1]];
+      if (joint.part == 0 && arm.part != 0 && arm.position.x * side > 0) return joint;
     }
-    return rig().joints[best];
+    FAIL("no arm hangs on that side");
+    return rig().joints[0];
   }
   /// For a joint, on the arm or its twin, as the brush leaves it.
   Document painted(const std::string& part, const std::string& joint) const {

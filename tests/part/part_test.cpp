@@ -96,9 +96,16 @@ TEST_CASE("part: each stage is timed once, and all together", "[part]") {
     stages.push_back(stage);
     REQUIRE(ms == 1);
   }
-  REQUIRE(stages == std::vector<std::string>{"outline", "straightSkeleton", "axis", "joints",
-                                             "triangulation", "inflation", "normals", "proxy",
-                                             });
+  REQUIRE(stages == std::vector<std::string>{
+                        "outline",
+                        "straightSkeleton",
+                        "axis",
+                        "joints",
+                        "triangulation",
+                        "inflation",
+                        "normals",
+                        "proxy",
+                    });
   REQUIRE(part.timings.total_ms == 8);
 }
 
