@@ -437,7 +437,7 @@ void keepInside(const Region& region, const std::vector<BranchSample>& samples,
   const auto mend = [&](size_t first, size_t last, double level) {
     std::vector<std::array<size_t, 2>> todo{{first, last}};
     while (!todo.empty()) {
-      const auto [a, b] = todo.back();
+      const size_t a = todo.back()[0], b = todo.back()[1];
       todo.pop_back();
       if (b - a < 2 || around.isClear(samples[a].point, samples[b].point)) continue;
       // High levels first; but not beside what is kept already, where there is another place.

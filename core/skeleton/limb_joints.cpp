@@ -9,7 +9,6 @@ namespace marrow {
 namespace {
 
 constexpr double kMostLevel = std::numeric_limits<double>::max();
-constexpr double kAlways = std::numeric_limits<double>::infinity();
 
 // Limbs longer than so many of their radii have a joint,
 constexpr double kLong = 3;
