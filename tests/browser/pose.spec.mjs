@@ -9,7 +9,7 @@ import {apart, glidden, joint, openPosing, poses, posing, pull, ready} from './p
 test('a limb follows the joint that is pulled, the others stay, and undo brings it back',
      async (app) => {
   await openPosing(app, 'dog');
-  const paw = 'Front leg.L.6', other = 'Hind leg.L.8';  // those in front
+  const paw = 'Front leg.L.6', other = 'Hind leg.L.5';  // those in front
   const before = {paw: await joint(app, paw), other: await joint(app, other)};
   const [x, y] = [before.paw.pixel[0] + 90, before.paw.pixel[1] - 60];
   const skinThere = async () =>
@@ -44,7 +44,7 @@ test('a limb follows the joint that is pulled, the others stay, and undo brings 
 
 test('a limb is pulled by its skin too, and beside the character the view turns', async (app) => {
   await openPosing(app, 'dog');
-  const [ax, ay] = (await joint(app, 'Hind leg.L.6')).pixel, [bx, by] = (await joint(app, 'Hind leg.L.8')).pixel;
+  const [ax, ay] = (await joint(app, 'Hind leg.L.4')).pixel, [bx, by] = (await joint(app, 'Hind leg.L.5')).pixel;
   const grip = [ax * 0.2 + bx * 0.8 + 6, ay * 0.2 + by * 0.8];
   await app.drag(grip, [grip[0] - 60, grip[1] - 20]);
   assert.equal((await poses(app)).length, 1);
@@ -62,7 +62,7 @@ test('what is pinned stays, and what hangs behind it follows', async (app) => {
   await app.key('n');
   assert.deepEqual((await posing(app)).pins, [pinned.id]);
   const body = await joint(app, 'Body.3');
-  await pull(app, 'Tail.7', [40, 60]);
+  await pull(app, 'Tail.8', [40, 60]);
   assert.ok(apart((await joint(app, 'Tail.2')).position, pinned.position) < 1e-6);
   assert.ok(apart((await joint(app, 'Body.3')).position, body.position) < 1e-9);
   await app.screenshot('pinned');
@@ -74,7 +74,7 @@ test('what is pinned stays, and what hangs behind it follows', async (app) => {
 test('R turns the chosen bone by a number, T makes drags turn, G moves the whole character',
      async (app) => {
   await openPosing(app, 'dog');
-  const hip = await joint(app, 'Front leg.L.4'), paw = await joint(app, 'Front leg.L.6');
+  const hip = await joint(app, 'Front leg.L.5'), paw = await joint(app, 'Front leg.L.6');
   const length = apart(hip.position, paw.position);
   await app.click(...paw.pixel);
   await app.key('r');
@@ -90,16 +90,16 @@ test('R turns the chosen bone by a number, T makes drags turn, G moves the whole
   await app.key('t');
   const [x, y] = turned.pixel;
   await app.drag([x, y], [x - 30, y + 50]);
-  assert.ok(apart((await joint(app, 'Front leg.L.4')).position, hip.position) < 1e-6);
+  assert.ok(apart((await joint(app, 'Front leg.L.5')).position, hip.position) < 1e-6);
   await app.key('t');
 
-  const root = (await posing(app)).joints[0], tail = await joint(app, 'Tail.7');
+  const root = (await posing(app)).joints[0], tail = await joint(app, 'Tail.8');
   await app.click(...root.pixel);
   await app.key('g');
   await app.key('x');
   for (const key of '50') await app.key(key);
   await app.key('Enter');
-  const moved = await joint(app, 'Tail.7');
+  const moved = await joint(app, 'Tail.8');
   assert.ok(Math.abs(moved.position[0] - tail.position[0] - 50) < 1e-6);
   assert.equal((await poses(app)).length, 1);
 });
@@ -167,9 +167,9 @@ test('a mix outlives a press, and ends when a pose is chosen or a joint is pulle
     assert.ok(apart((await joint(app, 'Front leg.L.6')).position, mixed.position) < 1e-9);
     assert.equal((await posing(app)).pose, 'Pose 1');
   };
-  await app.click(...(await joint(app, 'Tail.7')).pixel);
+  await app.click(...(await joint(app, 'Tail.8')).pixel);
   await still();
-  const [x, y] = (await joint(app, 'Tail.7')).pixel;
+  const [x, y] = (await joint(app, 'Tail.8')).pixel;
   await app.page.mouse.move(x, y);
   await app.page.mouse.down();
   await app.page.mouse.move(x + 30, y + 40, {steps: 4});
@@ -293,7 +293,7 @@ test('the weights are shown, of all bones or of the chosen one', async (app) => 
   const hot = await at();
   await app.screenshot('weights-one');
   assert.ok(hot[0] > 180 && hot[2] < hot[0], `${hot}: light where the bone holds`);
-  const [bx, by] = (await joint(app, 'Tail.7')).pixel;
+  const [bx, by] = (await joint(app, 'Tail.8')).pixel;
   const cold = (await app.pixels()).at(bx, by + 9);
   assert.ok(cold[0] < 120, `${cold}: dark where it does not`);
   await app.key('w');
@@ -302,7 +302,7 @@ test('the weights are shown, of all bones or of the chosen one', async (app) => 
 
 test('a brush gives a bone more of the skin, is undone, and its paint can be cleared', async (app) => {
   await openPosing(app, 'dog');
-  await app.click(...(await joint(app, 'Tail.7')).pixel);
+  await app.click(...(await joint(app, 'Tail.8')).pixel);
   await app.key('w');
   await app.key('w');
   const [x, y] = (await joint(app, 'Tail.4')).pixel;
