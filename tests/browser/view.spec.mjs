@@ -87,7 +87,7 @@ test('the mouse turns, zooms and moves the view, and one draws as it is turned',
   const {camera} = await app.stats();
   near(camera.yaw, turned.yaw, 1e-12);
   near(camera.pitch, turned.pitch, 1e-12);
-  assert.ok(isBody((await app.pixels()).at(500, 590)), 'drawn under the hand');
+  assert.ok(isBody((await app.pixels()).at(535, 620)), 'drawn under the hand');
   const {parts: [, {frame}]} = await app.page.evaluate(() => marrow.document());
   near(frame.x[0], Math.cos(turned.yaw), 1e-9);
   near(frame.y[1], Math.cos(turned.pitch), 1e-9);
@@ -203,7 +203,7 @@ test('a lost WebGL context comes back with everything in it', {smooth: true}, as
   assert.equal(await app.document(), text);
   await app.draw(ring(800, 250, 80));
   assert.equal((await app.parts()).length, 3);
-  assert.ok(isBody((await app.pixels()).at(800, 220)));
+  assert.ok(isBody((await app.pixels()).at(840, 250)));
 });
 
 test('where nothing happens nothing is drawn', async (app) => {
