@@ -7,7 +7,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import {fileURLToPath} from 'node:url';
 
-const kRuns = {document: 8000, command: 1000, obj: 8000, stl: 8000, ply: 8000, glb: 8000};
+const kRuns = {document: 8000, command: 300, obj: 8000, stl: 8000, ply: 8000, glb: 8000};
 // Bytes.
 const kLongest = {document: 4096, command: 800, obj: 2000, stl: 2000, ply: 2000, glb: 4096};
 const kSkipped = 77;
