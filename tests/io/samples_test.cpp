@@ -190,7 +190,7 @@ TEST_CASE("samples: all bones make one tree by themselves, and all else hangs on
     evaluation.update(sample.document);
     CAPTURE(sample.name);
     REQUIRE(evaluation.rig().joints.size() >= 10);
-    REQUIRE(evaluation.rig().joints.size() <= 70);
+    REQUIRE(evaluation.rig().joints.size() <= 60);
   }
 }
 

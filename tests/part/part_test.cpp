@@ -156,6 +156,35 @@ TEST_CASE("part: every real stroke is a sound part", "[part]") {
   }
 }
 
+TEST_CASE("part: the skeleton of a symmetric drawing is its own mirror image", "[part]") {
+  for (const auto& shape : {strokes::star(5, 60, 150), strokes::rectangle(300, 120),
+                            softStar(3, 100), softStar(6, 100), strokes::hand()}) {
+    const auto both = [&] {
+      PartOptions options;
+      options.outline.symmetric = true;
+      return must(buildPart(shape, options));
+    }();
+    REQUIRE(both.skeleton.mirror);
+    const MirrorLine& line = *both.skeleton.mirror;
+    const auto& joints = both.skeleton.joints;
+    const double size = both.outline.perimeter;
+    for (const auto& joint : joints) {
+      const Vec2 image = line.mirrored(joint.position);
+      CHECK(std::any_of(joints.begin(), joints.end(), [&](const auto& other) {
+        return distance(other.position, image) < 1e-9 * size;
+      }));
+      // On the line, or clearly beside it: nothing is its own image by half.
+      const double side = std::fabs(line.side(joint.position));
+      CHECK((side < 1e-9 * size || side > 1e-4 * size));
+    }
+    for (const auto& branch : both.skeleton.branches) {
+      REQUIRE(branch.image < both.skeleton.branches.size());
+      CHECK(both.skeleton.branches[branch.image].levels.size() == branch.levels.size());
+      CHECK(both.skeleton.branches[branch.image].levels == branch.levels);
+    }
+  }
+}
+
 TEST_CASE("part: no bone leaves what was drawn, whatever the threshold", "[part]") {
   for (const auto& stroke : strokes::strokeFamilies(5, 300)) {
     INFO(stroke.name);

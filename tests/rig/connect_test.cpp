@@ -487,6 +487,23 @@ TEST_CASE("connect: what has no bones is carried and carries nothing", "[rig]") 
   CHECK(Assembly(document, workshop).rig().carried[0].second == -1);
 }
 
+TEST_CASE("connect: what lies on what has no bones hangs where that hangs", "[rig]") {
+  // A pupil in front of an eye that bulges out of the head: it does not reach the head.
+  Workshop workshop;
+  Document document = quadruped();
+  addPart(document, "Eye", ellipse({190, 150}, 14, 14));
+  addPart(document, "Pupil", ellipse({190, 150}, 6, 6));
+  edit(document, 6).skeleton = edit(document, 7).skeleton = false;
+  moveBy(document, 6, {0, 0, 40});
+  moveBy(document, 7, {0, 0, 52});
+  const Assembly creature(document, workshop);
+  const Rig rig = creature.rig();
+  CHECK(faultOf(rig, creature) == "");
+  REQUIRE(rig.carried.size() == 2);
+  CHECK(rig.carried[0].second >= 0);
+  CHECK(rig.carried[1].second == rig.carried[0].second);
+}
+
 TEST_CASE("connect: the root is the user's choice, and the bones turn round", "[rig]") {
   Workshop workshop;
   Document document = quadruped();

@@ -158,7 +158,7 @@ TEST_CASE("joints: a limb thinner than its body begins at its mouth, on its own 
                     [](Vec2 p) { return std::fabs(p.y - 165) < 5 && p.x > 15 && p.x < 50; }));
 }
 
-TEST_CASE("joints: no bone of a limb is shorter than it is thick", "[joints]") {
+TEST_CASE("joints: no bone of a limb is shorter than nearly its half width", "[joints]") {
   // A bird's leg, with knobs a hand makes.
   Random random(47);
   for (int i = 0; i < 50; ++i) {
